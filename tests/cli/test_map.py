@@ -95,7 +95,8 @@ def test_a_strip(
     monkeypatch.setattr("verify.cli.map.STRIP_LEVEL", 3)
     monkeypatch.setattr("verify.cli.map.BANDS_BELOW", 3)
     command = [*PLANE, "--x", "0.1..0.11", "--strip", "1e-3", "--json", "--out", str(tmp_path)]
-    assert main(command) == 0
+    assert main([*command, "--show-boxes"]) == 0
+    no_words_meet(ElementTree.parse(tmp_path / "map.svg").getroot())
     document = json.loads(capsys.readouterr().out)
     jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(
         document
@@ -120,9 +121,28 @@ def test_a_spent_budget(capsys: pytest.CaptureFixture[str]) -> None:
 
 def place_of(text: ElementTree.Element) -> tuple[tuple[float, float], tuple[float, float]]:
     """About where a text of the picture stands, from left to right and from top to bottom."""
-    x, y, length = float(text.attrib["x"]), float(text.attrib["y"]), 7.5 * len(text.text or "")
+    x, y, length = (
+        float(text.attrib["x"]),
+        float(text.attrib["y"]),
+        7.5 * len("".join(text.itertext())),
+    )
     x -= {"start": 0.0, "middle": length / 2, "end": length}[text.get("text-anchor", "start")]
     return (x - 2, x + length + 2), (y - 10, y + 3)
+
+
+def no_words_meet(image: ElementTree.Element) -> None:
+    """All words of a picture stand within it, and none on another one."""
+    width = float(image.attrib["viewBox"].split()[2])
+    for part in (image, *image.iterfind("{*}g")):  # the words above, and the panels
+        left = float(re.split(r"[( ]", part.get("transform", "translate(0 0)"))[1])
+        texts = [text for text in part.iterfind("{*}text") if "x" in text.attrib]
+        assert texts
+        for one, other in combinations(map(place_of, texts), 2):
+            assert any(b <= c or d <= a for (a, b), (c, d) in zip(one, other, strict=True))
+        for text in texts:
+            (begin, end), _ = place_of(text)
+            assert left + begin >= 0
+            assert left + end - 8 <= width, "".join(text.itertext())
 
 
 def test_the_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -144,11 +164,7 @@ def test_the_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["".join(item.itertext()) for item in image.iter() if item.tag.endswith("text")]
     assert {"0", "0.1", "0.5", "0.05"} <= set(words)
     assert "boxes looked at" not in words  # which is for those who look at boxes
-    for part in (image, *image.iterfind("{*}g")):  # the words above, and the panels
-        texts = [text for text in part.iterfind("{*}text") if "x" in text.attrib]
-        assert len(texts) > 1
-        for one, other in combinations(map(place_of, texts), 2):
-            assert any(b <= c or d <= a for (a, b), (c, d) in zip(one, other, strict=True))
+    no_words_meet(image)
     capsys.readouterr()
     # Once more changes nothing, and a smaller share goes on.
     assert main(command) == 0
@@ -161,6 +177,9 @@ def test_the_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert with_boxes.count("M") > 300
     assert "boxes looked at" in with_boxes
     assert ">10²<" in with_boxes
+    no_words_meet(ElementTree.fromstring(with_boxes))
+    assert re.search("η<tspan [^>]*>c</tspan><tspan [^>]*>²", with_boxes)
+    assert ">slope −1<" in with_boxes
     # Nor is the log of another map overwritten.
     assert main(["map", "phi", "--r", "0.04", "--out", str(tmp_path / "new")]) == 2
     assert "no log of this map" in capsys.readouterr().err

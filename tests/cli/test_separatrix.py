@@ -10,6 +10,7 @@ from fractions import Fraction
 from itertools import combinations
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 
@@ -139,8 +140,36 @@ def test_the_picture_of_the_page_is_the_one_that_is_drawn(
     assert code == 0
     page = ROOT / "docs/explanation/separatrix.svg"
     assert (tmp_path / "strip.svg").read_bytes() == page.read_bytes()
-    for words in ("φ₁", "φ₂ |W_c|²", "saddle", "φ⁻", "φ⁺", "prefers-color-scheme:dark"):
+    for words in ("φ₁", "saddle", "φ⁻", "φ⁺", "prefers-color-scheme:dark"):
         assert words in page.read_text(encoding="utf-8")
+    texts = ["".join(text.itertext()) for text in ElementTree.parse(page).iterfind("{*}g/{*}text")]
+    assert "φ₂ |Wc|²" in texts
+    assert re.search('W<tspan dy="[0-9]" [^>]*>c</tspan>', page.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("r", ["0.0001", "0.055"])
+def test_words_in_the_picture_stand_beside_each_other(
+    r: str, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """And beside the marks; where the saddle is next to φ⁻, and φ⁻ next to the vertical axis."""
+    run(capsys, f"--r {r} --plot {tmp_path}/strip.svg")
+    panel = ElementTree.parse(tmp_path / "strip.svg").getroot().find("{*}g")
+    assert panel is not None
+    places = []
+    for text in panel.iterfind("{*}text[@x]"):
+        x, y, words = float(text.attrib["x"]), float(text.attrib["y"]), "".join(text.itertext())
+        x -= (
+            8 * len(words) * {"start": 0, "middle": 0.5, "end": 1}[text.get("text-anchor", "start")]
+        )
+        rim = 2 if "stroke" in text.attrib else 0
+        places.append((words, x - rim, x + 8 * len(words) + rim, y - 10 - rim, y + rim))
+    for path in panel.iterfind(".//{*}path[@transform]"):
+        x, y = map(float, path.attrib["transform"][len("translate(") : -1].split())
+        places.append(("a mark", x - 4, x + 4, y - 4, y + 4))
+    assert {"φ⁻", "φ⁺", "saddle", "a mark"} <= {words for words, *_ in places}
+    for (one, a, b, c, d), (other, e, f, g, h) in combinations(places, 2):
+        marks = one == other == "a mark"
+        assert marks or b <= e or f <= a or d <= g or h <= c, (one, other)
 
 
 def test_curves_for_several_r(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from io import BytesIO
 
 from verify import check_map
 from verify.cli.files import print_document, read_bytes, write_all
-from verify.cli.map_boxes import test_tables, with_unit, write_tables
+from verify.cli.map_boxes import heading, names_of, table_of, test_tables, write_tables
 from verify.cli.options import JSON, Options, Usage, leave_out
 from verify.cli.scene_sample import point_in
 from verify.cli.steps import MAX_JOBS
@@ -21,7 +21,6 @@ from verify.language.record import TYPE_CHECKING
 from verify.spheres.map.axes import axis_in, interval_in, plane_in
 from verify.spheres.map.planes import Phi, Plane
 from verify.spheres.map.strip import BorderStrip
-from verify.spheres.scene.families import read_family
 from verify.wire.inputs import (
     InputError,
     integer,
@@ -34,7 +33,6 @@ from verify.wire.inputs import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
     from typing import Any, BinaryIO
 
     from verify.spheres.map.grow import Sample, Target
@@ -138,7 +136,7 @@ def run(options: Options) -> int:
             f"--out: {shown(os.path.join(options.out, LOG))} is no log of this map ({error}); "
             "name another folder"
         ) from error
-    write_tables(options, progress)
+    write_tables(options, progress, jobs)
     if options.json:
         print_document(_document(progress))
     else:
@@ -269,19 +267,15 @@ def _read_times(folder: str, progress: Progress) -> list[Sample]:
 
 
 def _write(options: Options, progress: Progress, times: list[Sample]) -> None:
-    from verify.views.map import axis_names
     from verify.views.plots.map_picture import png_map, svg_map
 
-    table: Mapping[str, Any] = {}
-    if options.plane.endswith(".toml"):
-        table = read_family(options.plane, read_bytes("plane", options.plane)).table
-    names = [with_unit(name, table) for name in axis_names(progress.document)]
-    title = str(table.get("title", ""))
+    table = table_of(options)
+    names, lines = names_of(progress, table), heading(options, progress, table)
     rows = "".join(f"{s.boxes},{s.undecided},{s.seconds:.3f}\n" for s in times)
     document = json.dumps(_document(progress), ensure_ascii=False, indent=1)
     files = {
         DOCUMENT: f"{document}\n".encode(),
-        PICTURE: svg_map(progress, names, title, boxes=options.show_boxes).encode(),
+        PICTURE: svg_map(progress, names, lines, boxes=options.show_boxes).encode(),
         DOTS: png_map(progress),
         TIMES: f"boxes,undecided,seconds\n{rows}".encode(),
     }

@@ -5,10 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from verify.cli.files import read_bytes, write_all, write_file
 from verify.cli.options import Options
+from verify.cli.scene_sample import point_in
+from verify.cli.steps import in_order, watched
 from verify.language.record import TYPE_CHECKING
 from verify.spheres.map.planes import FamilyPlane, Plane, Through
 from verify.spheres.scene.families import read_family
@@ -38,11 +41,11 @@ def test_tables(options: Options, plane: Plane) -> None:
         raise InputError("--middles: add --csv FILE for a table, or --out DIR for pictures")
 
 
-def write_tables(options: Options, progress: Progress) -> None:
+def write_tables(options: Options, progress: Progress, jobs: int) -> None:
     """Write the table and the pictures that are asked for."""
     if options.csv is None and not options.middles:
         return
-    from verify.spheres.map.middles import boxes, middles  # loaded only where they are used
+    from verify.spheres.map.middles import boxes, middle  # loaded only where they are used
     from verify.views.map import axis_names, table_rows
     from verify.views.scene_table import csv_text
 
@@ -54,7 +57,8 @@ def write_tables(options: Options, progress: Progress) -> None:
                 f"--middles: the map has {len(found)} boxes that were not divided; ask for at most "
                 f"{MAX_MIDDLES}: --boxes {MAX_MIDDLES}"
             )
-        known = list(middles(progress, found))
+        plane: Any = progress.plane  # of scenes, as was tested
+        known = list(watched(in_order(partial(middle, plane), found, jobs), len(found)))
     if options.csv is not None:
         rows = table_rows(axis_names(progress.document), found, known)
         write_file("--csv", options.csv, csv_text(rows))
@@ -65,18 +69,41 @@ def write_tables(options: Options, progress: Progress) -> None:
 
 
 def _pictures(options: Options, progress: Progress, pairs: Sequence[Any]) -> dict[str, bytes]:
-    from verify.views.map import axis_names
     from verify.views.plots.map_colours import COLOURINGS, coloured
 
-    table = read_family(options.plane, read_bytes("plane", options.plane)).table
-    time = str(table.get("time_unit", ""))
-    plane: Any = progress.plane
+    table, plane = table_of(options), progress.plane
+    time, lines = str(table.get("time_unit", "")), heading(options, progress, table)
     sides = [side for side in (plane.x, plane.y) if side is not None]
     axes: list[tuple[str, Fraction, Fraction]] = [
-        (with_unit(name, table), *side)
-        for name, side in zip(axis_names(progress.document), sides, strict=False)
+        (name, *side) for name, side in zip(names_of(progress, table), sides, strict=False)
     ]
-    return {f"map-{one.name}.svg": coloured(one, axes, pairs, time).encode() for one in COLOURINGS}
+    return {
+        f"map-{one.name}.svg": coloured(one, axes, pairs, lines, time).encode()
+        for one in COLOURINGS
+    }
+
+
+def table_of(options: Options) -> Mapping[str, Any]:
+    """The scene file of a map; nothing without one."""
+    if not options.plane.endswith(".toml"):
+        return {}
+    return read_family(options.plane, read_bytes("plane", options.plane)).table
+
+
+def heading(options: Options, progress: Progress, table: Mapping[str, Any]) -> list[str]:
+    """What stands above a picture: the title of the file, and what is the same in all of it."""
+    from verify.views.map import plane_parts
+
+    fixed = {} if options.at is None else point_in("--at", options.at)
+    lines = str(table.get("title", "")), plane_parts(progress.document, fixed)[1]
+    return [line for line in lines if line]
+
+
+def names_of(progress: Progress, table: Mapping[str, Any]) -> list[str]:
+    """What the axes are, with the units of the file."""
+    from verify.views.map import axis_names
+
+    return [with_unit(name, table) for name in axis_names(progress.document)]
 
 
 def with_unit(name: str, table: Mapping[str, Any]) -> str:

@@ -116,22 +116,26 @@ def is_strip(plane: Plane) -> bool:
 
 def plane_line(plane: Plane) -> str:
     """The plane in a line."""
-    if plane["name"] == "family":
-        sides = zip(plane["axes"], (plane[name] for name in "xy" if name in plane), strict=True)
-        axes = ", ".join(f"{name} in [{low}, {high}]" for name, (low, high) in sides)
-        if not isinstance(plane["r"], str):
-            return axes
-        r = dict(zip("xy", plane["axes"], strict=False)).get(plane["r"], plane["r"])
-        return axes if r == "r" else f"{axes}; r = {r}"
-    (x_0, x_1), (y_0, y_1) = plane["x"], plane["y"]
-    if plane["name"] == "scene":
-        x, y = axis_names(plane)
-        return f"{x} in [{x_0}, {x_1}], {y} in [{y_0}, {y_1}]; r = {plane['r']}"
-    u_c, u_s = plane["tangential"]
+    return "; ".join(part for part in plane_parts(plane, {}) if part)
+
+
+def plane_parts(plane: Plane, at: Mapping[str, Fraction]) -> tuple[str, str]:
+    """What varies in a plane, and what does not; there parameters have values."""
+    if plane["name"] not in ("scene", "family"):
+        (x_0, x_1), (y_0, y_1), (u_c, u_s) = plane["x"], plane["y"], plane["tangential"]
+        r, c, speed = (exact_number(Fraction(plane[key])) for key in ("r", "neg_cos", "speed"))
+        return (
+            f"φ₁ = η_s/(-η_c) in [{x_0}, {x_1}], φ₂ = d/η_c² in [{y_0}, {y_1}]",
+            f"r = {r}, -cos θ = {c}, -η_c = {speed}, tangential speeds {u_c} and {u_s}",
+        )
+    sides = [(axis, plane[key]) for axis, key in zip(axis_names(plane), "xy", strict=True) if axis]
+    axes, r = {key: axis for (axis, _), key in zip(sides, "xy", strict=False)}, plane["r"]
+    found = {name: exact_number(value) for name, value in at.items()}
+    if isinstance(r, str) and axes.get(r) != "r":
+        found = {"r": axes[r] if r in axes else exact_number(Fraction(r))} | found
     return (
-        f"φ1 = eta_s/(-eta_c) in [{x_0}, {x_1}], φ2 = d/eta_c² in [{y_0}, {y_1}]; "
-        f"r = {plane['r']}, -cos θ = {plane['neg_cos']}, -eta_c = {plane['speed']}, "
-        f"tangential speeds {u_c} and {u_s}"
+        ", ".join(f"{axis} in [{low}, {high}]" for axis, (low, high) in sides),
+        ", ".join(f"{name} = {value}" for name, value in found.items()),
     )
 
 

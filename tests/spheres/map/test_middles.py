@@ -17,10 +17,20 @@ from verify.cli import main
 from verify.cli.map_boxes import with_unit
 from verify.spheres.map.grow import Target, grow
 from verify.spheres.map.log import Progress
-from verify.spheres.map.middles import boxes
+from verify.spheres.map.middles import Box, Middle, boxes
 from verify.spheres.map.planes import Phi
 from verify.spheres.map.workers import workers
-from verify.views.plots.map_colours import BALLS, COLOURINGS, RAMP, Ramp, between
+from verify.views.plots.map_colours import (
+    BALLS,
+    COLOURINGS,
+    RAMP,
+    Ramp,
+    between,
+    coloured,
+    widths_lines,
+)
+from verify.views.plots.map_picture import COLOURS
+from verify.views.plots.shapes import axis_of
 
 SCENES = """r = "0.04..0.07"
 diameter = "0.5"
@@ -111,7 +121,7 @@ def test_each_picture_has_a_key_and_its_units(folder: Path, name: str) -> None:
     ElementTree.fromstring(text)
     assert "undecided</text>" in text
     assert ("ball 2</text>" in text) == (name == "central")
-    assert text.count(" ms</text>") == (5 if name == "time" else 0)
+    assert (">time (ms)</text>" in text) == (name == "time")
     assert len({part.split('"')[0] for part in text.split('fill="#')}) > 3
 
 
@@ -133,25 +143,63 @@ def test_pictures_have_title_and_units_of_the_file_and_round_marks(tmp_path: Pat
     scenes.write_text(f'title = "Three beads, h varies"\n{SCENES}', encoding="utf-8")
     command = ["map", str(scenes), "--x", "r=0.04..0.07", "--y", "h=0.013..0.3", "--boxes", "64"]
     assert main([*command, "--middles", "--out", str(tmp_path / "out")]) in (0, 3)
-    for name in ("map.svg", "map-collisions.svg"):
-        text = (tmp_path / "out" / name).read_text(encoding="utf-8")
+    pictures = sorted((tmp_path / "out").glob("*.svg"))
+    assert len(pictures) == 4
+    for picture in pictures:
+        text = picture.read_text(encoding="utf-8")
+        assert "Three beads, h varies</text>" in text
         assert "h (mm)</text>" in text
         assert ">0.05</text>" in text
         assert "0.08475" not in text
-    assert "Three beads, h varies</text>" in (tmp_path / "out" / "map.svg").read_text("utf-8")
     table = {"positions": [["h", "k/2"]], "velocities": [["v - 1", "k"]], "r": "r"}
     table |= {"length_unit": "mm", "time_unit": "ms"}
     names = [with_unit(name, table) for name in ("h", "k", "v", "r", "")]
     assert names == ["h (mm)", "k", "v (mm/ms)", "r", ""]
 
 
+def test_pictures_say_what_is_the_same_in_all_of_them(tmp_path: Path) -> None:
+    """And a title of 80 letters has room."""
+    scenes, title = tmp_path / "scenes.toml", ("nine long words, and one more " * 3)[:80]
+    scenes.write_text(f'title = "{title}"\n{SCENES}', encoding="utf-8")
+    command = ["map", str(scenes), "--x", "h", "--at", "r=1/20", "--boxes", "16", "--middles"]
+    assert main([*command, "--out", str(tmp_path / "out")]) in (0, 3)
+    for picture in (tmp_path / "out").glob("*.svg"):
+        root = ElementTree.parse(picture).getroot()
+        width = float(root.attrib["viewBox"].split()[2])
+        texts = root.iterfind(".//{*}text")
+        lines = [text.text or "" for text in texts if float(text.get("x", 0)) == 8]
+        assert "r = 0.05" in lines
+        assert " ".join(lines).startswith(title)
+        letter = 0.55 * float(root.attrib["font-size"])
+        assert max(map(len, lines)) * letter + 8 < width
+
+
+def test_marks_of_tiny_and_of_huge_intervals_are_short() -> None:
+    """The label of the axis then says what they stand for."""
+    found = axis_of("h (mm)", Fraction(1, 10), Fraction(1, 10) + Fraction(3, 10**10))
+    assert found[0] == "h (mm) = 0.1 + mark × 10⁻¹⁰"
+    assert [text for _, text in found[1]] == ["0", "0.5", "1", "1.5", "2", "2.5", "3"]
+    assert [share for share, _ in found[1]] == pytest.approx([k / 6 for k in range(7)])
+    name, marks = axis_of("w", Fraction(-(10**7)), Fraction(10**7))
+    assert (name, [text for _, text in marks]) == (
+        "w = mark × 10⁷",
+        ["-1", "-0.5", "0", "0.5", "1"],
+    )
+    assert axis_of("r", Fraction("0.04"), Fraction("0.07"))[0] == "r"
+
+
 def test_numbers_of_collisions_are_whole_and_white_has_one_meaning(folder: Path) -> None:
     text = (folder / "out" / "map-collisions.svg").read_text(encoding="utf-8")
-    bar = re.findall(r'x="518"[^>]*>([^<]+)</text>', text)
-    assert bar
+    bar = re.findall(r'x="520"[^>]*>([^<]+)</text>', text)
+    assert len(bar) > 2
     assert all(number.isdigit() for number in bar)
-    assert ">infinitely many</text>" in text
-    assert ">finitely many, not counted</text>" in text
+    assert {number.rstrip("0") for number in bar} <= {"1", "2", "5"}
+    for says, pattern in (
+        ("infinitely many", "#fff"),
+        ("finitely many, not counted", "url(#some)"),
+        ("undecided", "url(#open)"),
+    ):
+        assert re.search(rf'fill="{re.escape(pattern)}" [^>]*/>\n<text [^>]*>{says}<', text)
 
 
 def test_an_interval_of_scenes_is_a_table_too(tmp_path: Path) -> None:
@@ -178,6 +226,8 @@ def test_colours_get_lighter_so_that_they_are_told_apart_in_grey() -> None:
     assert min(b - a for a, b in pairwise(greys)) > 1
     assert [grey(colour) for colour in BALLS] == sorted(grey(colour) for colour in BALLS)
     assert grey(BALLS[2]) < 235, "lighter would be taken for white"
+    areas = sorted(grey(colour) for colour in COLOURS.values())
+    assert min(b - a for a, b in pairwise(areas)) > 40
 
 
 @pytest.mark.parametrize("values", [[2.0, 5.0], [0.001, 70.0], [3.0], []])
@@ -187,7 +237,42 @@ def test_a_ramp_goes_from_the_least_to_the_largest(values: list[float]) -> None:
         assert 0 <= ramp.share(value) <= 1
     if len(values) > 1:
         assert [ramp.share(value) for value in values] == [0, 1]
-        assert ramp.at(ramp.share(4.0)) == pytest.approx(4.0)
+        marks = ramp.marks()
+        assert 4 <= len(marks) <= 12
+        assert all(values[0] <= float(text) == at <= values[1] for at, text in marks)
+        assert all(len(text.replace(".", "").strip("0")) <= 2 for _, text in marks)
+
+
+def test_a_picture_says_how_wide_the_enclosures_of_its_times_are(folder: Path) -> None:
+    text = (folder / "out" / "map-time.svg").read_text(encoding="utf-8")
+    ends = [
+        (Fraction(row["time_low"]), Fraction(row["time_high"]))
+        for row in rows_of(folder / "map.csv")
+        if row["time_low"]
+    ]
+    told = re.search(r"which is at most ([\d.]+)·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+) ms wide;", text)
+    assert told is not None
+    power = told[2].translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
+    widest = Fraction(told[1]) * Fraction(10) ** int(power)
+    assert max(high - low for low, high in ends) / 2 < widest < ends[0][0] / 10**5
+    assert f">0 of the {len(ends)} enclosures are wider than 1/64 of the bar" in text
+    ramp, half = Ramp([1.0, 2.0]), Fraction(1, 130)
+    wide = [(1 - half, 1 + half), (2 - half, 2 + 2 * half)]
+    lines = widths_lines(ramp, wide, "")
+    assert "is at most 0.024 wide;" in lines[0]
+    assert lines[1].startswith("1 of the 2 enclosures are wider")
+    assert widths_lines(ramp, [], "") == ()
+
+
+def test_one_value_has_no_bar_and_no_value_nothing() -> None:
+    sides = Fraction(0), Fraction(1)
+    box = Box("d", sides, sides)
+    none = Middle("finite", "restitution", None, 5, None)
+    for known, told in ((Middle("disperses", "apart", None, 7, None), True), (none, False)):
+        text = coloured(COLOURINGS[1], [("x", *sides), ("y", *sides)], [(box, known)], [], "")
+        assert (">7</text>" in text) == told
+        assert (">collisions</text>" in text) == told
+        assert text.count("<rect") == 1 + 1 + 3 + told  # the box, its frame, and the keys
 
 
 @pytest.mark.parametrize(

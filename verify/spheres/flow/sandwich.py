@@ -134,17 +134,21 @@ def may_close(bounds: Bounds, at: Point, fixed: float) -> bool:
         found = load / (1 + math.sqrt(1 - load)) if load < 1 else 1.0
         return None if found > top else (R * (1 - U) / P, found)
 
+    # What a step leads to grows with Q: where two steps from (Q, U) end above U, or nowhere, so do
+    # those from every larger Q.
     Q, U = map(float, at)
+    once = step(0, Q, U)
     for n in range(STEPS):
-        for begin in (Q, *(fixed * (1 + share) for share in ABOVE)):
-            once = step(n, begin, U) if begin >= Q else None
-            twice = None if once is None else step(n + 1, *once)
-            if twice and twice[0] <= begin * (1 + TINY) and twice[1] <= U * (1 + TINY):
-                return True
-        following = step(n, Q, U)
-        if following is None:
+        twice = None if once is None else step(n + 1, *once)
+        if once is None or twice is None:
             return False
-        Q, U = following
+        if twice[1] <= U * (1 + TINY):
+            for begin in (Q, *(fixed * (1 + share) for share in ABOVE)):
+                one = step(n, begin, U) if begin >= Q else None
+                two = None if one is None else step(n + 1, *one)
+                if two and two[0] <= begin * (1 + TINY) and two[1] <= U * (1 + TINY):
+                    return True
+        (Q, U), once = once, twice
     return False
 
 

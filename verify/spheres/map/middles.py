@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 
 from verify.language.record import Record
 from verify.spheres.map.log import Progress
-from verify.spheres.map.planes import Phi, Plane, Scenes, Side, value_of
+from verify.spheres.map.planes import Plane, Scenes, Side, value_of
 from verify.spheres.map.strip import BorderStrip
 from verify.spheres.scene.decide import Budget, decide_scene
 from verify.spheres.scene.scene import Scene
@@ -68,15 +68,7 @@ def scene_in(plane: Scenes, box: Box) -> Scene:
     return Scene(value_of(plane.r, x, y, Fraction), positions, velocities)
 
 
-def middles(progress: Progress, found: Sequence[Box]) -> Iterator[Middle]:
-    """What becomes of the scenes in the middle of boxes.
-
-    Raises:
-        ValueError: if the plane is not one of scenes that are free at the start.
-    """
-    plane = progress.plane
-    if isinstance(plane, Phi | BorderStrip):
-        raise ValueError("this plane has states, and no scenes")
-    for box in found:
-        fate = decide_scene(scene_in(plane, box), Budget(digits=DIGITS))
-        yield Middle(fate.verdict, fate.name, central(fate), fate.collisions, time_ends(fate))
+def middle(plane: Scenes, box: Box) -> Middle:
+    """What becomes of the scene in the middle of a box."""
+    fate = decide_scene(scene_in(plane, box), Budget(digits=DIGITS))
+    return Middle(fate.verdict, fate.name, central(fate), fate.collisions, time_ends(fate))

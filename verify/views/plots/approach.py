@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from fractions import Fraction
 
 from verify.language.record import Record
 from verify.prover import balls
+from verify.prover.decimals import exact_number
 from verify.views.plots.shapes import Curve, Panel, Scale, Shape, Trace, Words, ten
 from verify.views.scene import Step, Told
 
@@ -14,7 +16,7 @@ from verify.views.scene import Step, Told
 SIDE, HIGH = 460, 466
 #: Beside the first and the last collision, as a share of their number.
 ROOM = 0.02
-#: More points than this are drawn without a mark for each.
+#: The bounds of more points than this are not drawn.
 MARKS = 60
 DIAMETER = "diameter"
 SPEED, GAP, REST = range(3)
@@ -41,8 +43,8 @@ def several(unit: str) -> str:
 
 
 def counted(length: float, unit: str) -> str:
-    """So many units of length, to two digits."""
-    number = f"{length:.2g}"
+    """So many units of length, of which there is a round number."""
+    number = exact_number(Fraction(str(length)))
     return f"{number} {unit if number == '1' else several(unit)}"
 
 
@@ -67,13 +69,13 @@ def approach(told: Told, steps: Iterable[Step]) -> Panel:
     last = max((point.n for point in points), default=0)
     low = math.floor(min((point.low for point in points), default=0))
     high = max(math.ceil(max((point.high for point in points), default=0)), low + 1)
-    step = _step(high - low, 8)
+    step, beat = _step(high - low, 8), _step(last, 8)
     ends = -(-low // step) * step, high + 1
     x = Scale(
         "number of the collision",
         1 - last * ROOM,
         last + last * ROOM,
-        [(n, str(n)) for n in range(1, last + 1, _step(last - 1, 8))],
+        [(n, str(n)) for n in range(beat, last + 1, beat)],
     )
     y = Scale("", low, high, [(power, ten(power)) for power in range(*ends, step)])
     names = _names(told)
@@ -83,10 +85,10 @@ def approach(told: Told, steps: Iterable[Step]) -> Panel:
             yield Words((0.5, 0.5), "fewer than two collisions", "middle")
             return
         for k, (name, one) in enumerate(zip(names, series, strict=True)):
-            colour, mark = f"series-{k + 1}", k if len(one) <= MARKS else None
+            colour = f"series-{k + 1}"
             if one:
-                yield Curve([(p.n, (p.low + p.high) / 2) for p in one], colour, mark, name)
-            for p in one if mark is not None else ():
+                yield Curve([(p.n, (p.low + p.high) / 2) for p in one], colour, k, name)
+            for p in one if len(one) <= MARKS else ():
                 yield Trace([(p.n, p.low), (p.n, p.high)], colour)
 
     return Panel("from collision to collision", x, y, drawn, "", SIDE, HIGH, axes=last > 1)

@@ -6,9 +6,11 @@ refuted, grey undecided.
 
 from __future__ import annotations
 
+import re
 from base64 import b64encode
 from collections.abc import Iterable, Iterator, Sequence
 from html import escape
+from textwrap import wrap
 from zlib import crc32
 
 from verify.views.plots import shapes
@@ -35,6 +37,8 @@ HATCHED = {"refuted-area": "refuted-line"}
 
 LEFT, RIGHT, TOP, BOTTOM, LEGEND = 66, 14, 34, 52, 22
 SIZE, LINE = 14, 20
+#: No letter of a text is wider than this, on average.
+LETTER = 8
 #: Where an entry of a legend has more letters, there is one entry in a line.
 LONG = 30
 
@@ -43,7 +47,9 @@ def svg(
     name: str, panels: Sequence[shapes.Panel], description: str, heading: Sequence[str] = ()
 ) -> str:
     """One SVG element with the panels side by side; ``name`` keeps its ids apart from others."""
-    width, top = sum(panel.width for panel in panels), LINE * len(heading) + 8 * bool(heading)
+    width = sum(panel.width for panel in panels)
+    heading = [line for given in heading for line in wrap(given, width // LETTER)]
+    top = LINE * len(heading) + 8 * bool(heading)
     height = max(panel.height for panel in panels) + top
     patterns = "".join(pattern(f"{name}-{area}", area) for area in HATCHED)
     parts = [
@@ -218,7 +224,8 @@ def _fill(name: str, colour: str) -> str:
     return f"url(#{name}-{colour})" if colour in HATCHED else f"var(--{colour})"
 
 
-#: The marks of measured points, around the origin.
+#: The marks of measured points, around the origin; of more points than this some have none.
+MOST = 60
 MARKS = ("M-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z", "M-4-4h8v8h-8z", "M0-5l5 9h-10z", "M0 5l5-9h-10z")
 
 
@@ -227,7 +234,7 @@ def _curve(shape: shapes.Curve, place: _Place) -> Iterator[str]:
     path = "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in points)
     yield f'<path d="{path}" fill="none" stroke="var(--{shape.colour})" stroke-width="1.4"/>'
     if shape.mark is not None:
-        yield from (_mark(at, shape) for at in points)
+        yield from (_mark(at, shape) for at in points[:: 1 + (len(points) - 1) // MOST])
 
 
 def _mark(at: shapes.Point, shape: shapes.Curve) -> str:
@@ -245,9 +252,13 @@ def _mark(at: shapes.Point, shape: shapes.Curve) -> str:
 def _text(at: shapes.Point, text: str, anchor: str = "start", weight: str = "") -> str:
     more = f' text-anchor="{anchor}"' if anchor != "start" else ""
     more += f' font-weight="{weight}"' if weight else ""
-    return f'<text x="{at[0]:.1f}" y="{at[1]:.1f}" fill="var(--ink)"{more}>{escape(text)}</text>'
+    text = LETTERS.sub(LOWER, escape(text))
+    return f'<text x="{at[0]:.1f}" y="{at[1]:.1f}" fill="var(--ink)"{more}>{text}</text>'
 
 
+#: W_c or η_c and the letter that follows, and how the c is written below the line.
+LETTERS = re.compile(r"\b([Wη])_([cs])(?![A-Za-z0-9_])(.?)")
+LOWER = r'\1<tspan dy="4" font-size="11">\2</tspan><tspan dy="-4">\3</tspan>'
 _RIM = 'paint-order="stroke" stroke="var(--paper)" stroke-width="4" stroke-linejoin="round"'
 
 

@@ -9,20 +9,27 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from html import escape
+from textwrap import wrap
 
+from verify.prover.decimals import decimal_text, people, round_decimal
+from verify.prover.outcome import Ends
 from verify.views.map import Box, Middle, middle_time
-from verify.views.plots.shapes import shares_of
+from verify.views.plots.shapes import axis_of, logarithmic_marks, round_marks
 
 #: From dark to light.
 RAMP = ("#0b1f4b", "#32407a", "#6a5f86", "#a3807c", "#d6a767", "#f6d860")
 #: The three balls.
 BALLS = (RAMP[0], RAMP[3], RAMP[5])
-SIDE, LEFT, TOP, BAR = 400, 64, 46, 18
-INK, GREY = "#1c2128", "#c9ced4"
-#: The pattern of what is undecided.
-OPEN = (
-    '<defs><pattern id="open" width="6" height="6" patternUnits="userSpaceOnUse">'
-    f'<path d="M0 6L6 0" stroke="{INK}" stroke-width="1.2"/></pattern></defs>'
+SIDE, LEFT, TOP, LINE, BAR, STEPS = 400, 64, 34, 18, 18, 64
+INK = "#1c2128"
+#: No letter of a text is wider than this, on average.
+LETTER = 7
+#: The patterns of what is undecided, and of collisions that are finitely many, but not counted.
+PATTERNS = (
+    '<defs><pattern id="open" width="4" height="4" patternUnits="userSpaceOnUse">'
+    f'<path d="M-1 1L1 -1M0 4L4 0M3 5L5 3" stroke="{INK}" stroke-width="1.2"/></pattern>'
+    '<pattern id="some" width="5" height="5" patternUnits="userSpaceOnUse">'
+    f'<path d="M1 1h2v2h-2z" fill="{INK}"/></pattern></defs>'
 )
 #: Values that differ by such a factor are drawn on a logarithmic scale.
 WIDE = 50.0
@@ -32,12 +39,12 @@ Pairs = Sequence[tuple[Box, Middle]]
 
 
 class Colouring:
-    """A name, a title, what is drawn, and what white is."""
+    """A name, a title, what is drawn, what the colour bar shows, and what white is."""
 
     def __init__(
-        self, name: str, title: str, value: Callable[[Middle], float | None], white: str
+        self, name: str, title: str, value: Callable[[Middle], float | None], bar: str, white: str
     ) -> None:
-        self.name, self.title, self.value, self.white = name, title, value, white
+        self.name, self.title, self.value, self.bar, self.white = name, title, value, bar, white
 
 
 def _central(middle: Middle) -> float | None:
@@ -54,26 +61,31 @@ def _time(middle: Middle) -> float | None:
 
 
 COLOURINGS = (
-    Colouring("central", "central ball of the collapse", _central, "no collapse"),
-    Colouring("collisions", "number of collisions", _number, "infinitely many"),
-    Colouring("time", "time of the collapse", _time, "no collapse"),
+    Colouring("central", "central ball of the collapse", _central, "", "no collapse"),
+    Colouring("collisions", "number of collisions", _number, "collisions", "infinitely many"),
+    Colouring("time", "time of the collapse", _time, "time", "no collapse"),
 )
 
 
-def coloured(colouring: Colouring, axes: Axes, pairs: Pairs, unit: str) -> str:
-    """The picture."""
-    width, height = LEFT + SIDE + 230, TOP + SIDE + 74
+def coloured(
+    colouring: Colouring, axes: Axes, pairs: Pairs, heading: Sequence[str], unit: str
+) -> str:
+    """The picture, with these lines above it; times are in this unit."""
+    width, height = LEFT + SIDE + 230, TOP + SIDE + 90
+    title = f"{colouring.title}, at the middle of each box"
+    lines = [line for given in (*heading, title) for line in wrap(given, width // LETTER)]
     font = f'font-family="sans-serif" font-size="12" fill="{INK}" style="background:#fff"'
     values = [colouring.value(middle) for _, middle in pairs]
-    scale = Ramp([value for value in values if value is not None])
-    title = f"{colouring.title}, at the middle of each box"
+    known = [value for value in values if value is not None]
+    scale = Ramp(known)
     is_balls, is_count = colouring.name == "central", colouring.name == "collisions"
-    view = f'viewBox="0 0 {width} {height}"'
+    view = f'viewBox="0 0 {width} {height + LINE * len(lines)}"'
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" {view} role="img" {font}>',
         f"<title>{escape(title)}</title>",
-        OPEN,
-        _text(LEFT, 18, title, "start"),
+        PATTERNS,
+        *(_text(8, LINE * k, line, "start") for k, line in enumerate(lines, 1)),
+        f'<g transform="translate(0 {LINE * len(lines)})">',
     ]
     parts.append('<g shape-rendering="crispEdges">')
     for (box, middle), value in zip(pairs, values, strict=True):
@@ -81,18 +93,39 @@ def coloured(colouring: Colouring, axes: Axes, pairs: Pairs, unit: str) -> str:
         if is_balls and value is not None:
             fill = BALLS[int(value)]
         if is_count and middle.verdict == "finite":
-            fill = GREY
+            fill = "url(#some)"
         if middle.verdict == "undecided":
             fill = "url(#open)"
         parts.append(_box(axes, box, fill))
     parts.append("</g>")
     parts += _axes(axes)
-    named = unit if colouring.name == "time" else ""
-    parts += _balls() if is_balls else _bar(scale, named, is_count=is_count)
+    if is_balls:
+        parts += _balls()
+    elif known:
+        named = f"time ({unit})" if unit and not is_count else colouring.bar
+        parts += _bar(scale, named, is_count=is_count)
     parts += _keys(colouring.white, 70 if is_balls else SIDE - 150)
     if is_count:
-        parts += _key(SIDE - 106, GREY, "finitely many, not counted")
-    return "\n".join([*parts, "</svg>", ""])
+        parts += _key(SIDE - 106, "url(#some)", "finitely many, not counted")
+    if colouring.name == "time":
+        times = [middle.time for _, middle in pairs if middle.time is not None]
+        for k, line in enumerate(widths_lines(scale, times, unit)):
+            parts.append(_text(8, height - 26 + LINE * k, line, "start"))
+    return "\n".join([*parts, "</g></svg>", ""])
+
+
+def widths_lines(scale: Ramp, times: Sequence[Ends], unit: str) -> Sequence[str]:
+    """How wide the enclosures are whose middles have the colours; nothing without any."""
+    if not times:
+        return ()
+    widest = people(decimal_text(*round_decimal(max(b - a for a, b in times), 2, up=True)))
+    most = f"at most {widest} {unit}".rstrip()
+    steps = [scale.share(float(high)) - scale.share(float(low)) for low, high in times]
+    wide = sum(STEPS * step > 1 for step in steps)
+    return (
+        f"Each colour shows the middle of an enclosure of the time, which is {most} wide;",
+        f"{wide} of the {len(times)} enclosures are wider than 1/{STEPS} of the bar of colours.",
+    )
 
 
 class Ramp:
@@ -110,11 +143,11 @@ class Ramp:
             return math.log(value / self.low) / math.log(self.high / self.low)
         return (value - self.low) / (self.high - self.low)
 
-    def at(self, share: float) -> float:
-        """The value there."""
+    def marks(self) -> list[tuple[float, str]]:
+        """Round values between the ends."""
         if self.is_logarithmic:
-            return self.low * math.exp(share * math.log(self.high / self.low))
-        return self.low + (self.high - self.low) * share
+            return logarithmic_marks(self.low, self.high)
+        return round_marks(Fraction(self.low), Fraction(self.high), 4)
 
     def colour(self, value: float) -> str:
         """The colour of a value."""
@@ -147,8 +180,9 @@ def _box(axes: Axes, box: Box, fill: str) -> str:
 def _axes(axes: Axes) -> Iterator[str]:
     low = TOP + SIDE
     yield f'<rect x="{LEFT}" y="{TOP}" width="{SIDE}" height="{SIDE}" fill="none" stroke="{INK}"/>'
-    for number, (name, first, last) in enumerate(axes):
-        for share, text in shares_of(first, last):
+    for number, given in enumerate(axes):
+        name, marks = axis_of(*given)
+        for share, text in marks:
             along = share * SIDE
             if number == 0:
                 yield f'<path d="M{LEFT + along:g} {low}v5" stroke="{INK}"/>'
@@ -162,21 +196,24 @@ def _axes(axes: Axes) -> Iterator[str]:
             yield _text(LEFT - 6, TOP - 8, name, "start")
 
 
-def _bar(scale: Ramp, unit: str, *, is_count: bool) -> Iterator[str]:
-    """The colour bar, with five values; or with as many whole numbers, if so many are in it."""
-    left, steps, height = LEFT + SIDE + 30, 64, SIDE - 180
-    size = height / steps
+def _bar(scale: Ramp, name: str, *, is_count: bool) -> Iterator[str]:
+    """The colour bar, with round values; or one colour for one value."""
+    left, height = LEFT + SIDE + 30, SIDE - 180
+    yield _text(left, TOP - 8, name, "start")
+    if scale.low == scale.high:
+        yield from _key(0, scale.colour(scale.low), f"{scale.low:.6g}")
+        return
+    size = height / STEPS
     yield '<g shape-rendering="crispEdges">'
-    for k in range(steps):
+    for k in range(STEPS):
         place = f'x="{left}" y="{TOP + height - (k + 1) * size:.6g}" width="{BAR}"'
-        yield f'<rect {place} height="{size + 0.3:.6g}" fill="{between((k + 0.5) / steps)}"/>'
+        yield f'<rect {place} height="{size + 0.3:.6g}" fill="{between((k + 0.5) / STEPS)}"/>'
     yield "</g>"
-    values = [scale.at(quarter / 4) for quarter in range(5)]
-    if is_count:
-        values = sorted({float(round(value)) for value in values})
-    for value in values:
-        y = TOP + height * (1 - scale.share(value))
-        yield _text(left + BAR + 6, y + 4, f"{value:.4g} {unit}".rstrip(), "start")
+    for value, text in scale.marks():
+        if not (is_count and value % 1):
+            y = TOP + height * (1 - scale.share(value))
+            yield f'<path d="M{left + BAR} {y:.6g}h4" stroke="{INK}"/>'
+            yield _text(left + BAR + 8, y + 4, text, "start")
 
 
 def _balls() -> Iterator[str]:

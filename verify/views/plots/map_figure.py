@@ -40,7 +40,7 @@ def figure(found: CertifiedMap, strip: CertifiedStrip | None, name: str) -> shap
     shares = {key: percent(share) for key, share in area_shares(progress).items()}
     law, finest = work(progress), len(progress.found[-1].keys[0])
     caption = (
-        f"{_plane(progress)}. Of the area {shares['collapses']} % collapses, "
+        f"{plane_line(progress.document)}. Of the area {shares['collapses']} % collapses, "
         f"{shares['disperses']} % disperses, {shares['undecided']} % is undecided; the border lies "
         f"in what is undecided. {progress.boxes} boxes were looked at, the smallest with sides of "
         f"1/{2**finest} of the map; each verdict holds at every point of its box, and the checker "
@@ -132,12 +132,6 @@ def _scales(progress: Progress, shown: Cell) -> tuple[shapes.Scale, shapes.Scale
     return made[0], made[1]
 
 
-def _plane(progress: Progress) -> str:
-    """The plane in a line, in the paper's letters."""
-    line = plane_line(progress.document)
-    return line.replace("eta", "η").replace("φ1", "φ₁").replace("φ2", "φ₂")
-
-
 def names(progress: Progress) -> tuple[str, str]:
     """What the axes are, in short."""
     if progress.document["name"] == "phi":
@@ -223,7 +217,7 @@ def law_panel(law: Law) -> shapes.Panel:
     def drawn() -> Iterable[shapes.Shape]:
         yield shapes.Straight((boxes / 30, share * 30), (boxes * 4, share / 4), "faint")
         yield shapes.Curve(points, "series-1", 0, "this map, level by level")
-        yield shapes.Words((max(boxes / 12, 1.2 * low), share * 16), "slope −1")
+        yield shapes.Words((0.7 * boxes, share), "slope −1", "end")
 
     told = (
         f"The undecided share falls from {points[0][1]:.2g} % after {law[0][0]} boxes to "

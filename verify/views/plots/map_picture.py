@@ -23,10 +23,10 @@ from verify.views.map import (
 )
 from verify.views.plots.drawing import standalone, svg
 from verify.views.plots.map_figure import cell, law_panel, work
-from verify.views.plots.shapes import Areas, Dots, Panel, Point, Scale, Shape, Tiles, shares_of
+from verify.views.plots.shapes import Areas, Dots, Panel, Point, Scale, Shape, Tiles, axis_of
 
 #: The colours of the areas, on light and on dark paper: they differ in grey, too.
-COLOURS = {"c": "#f7bb70", "d": "#2e6bb6", "u": "#111111", "f": "#8fb3dd"}
+COLOURS = {"c": "#f7bb70", "d": "#2e6bb6", "u": "#111111", "f": "#7499c8"}
 #: The size of the panel, whose inner side is a square.
 WIDTH, HEIGHT = 480, 530
 UNIT: list[Point] = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -35,17 +35,19 @@ FINEST = 10
 
 
 def svg_map(
-    progress: Progress, names: Sequence[str], title: str = "", *, boxes: bool = False
+    progress: Progress, names: Sequence[str], heading: Sequence[str], *, boxes: bool = False
 ) -> str:
     """The areas with their shares, in dots; or as boxes, with the undecided share against them.
 
-    ``names`` are those of the axes, with their units.
+    ``names`` are those of the axes, with their units; the lines of the heading stand above.
     """
     law = [(count, share) for count, share in work(progress) if share]
-    panel, plane = _areas(progress, names, boxes=boxes), plane_line(progress.document)
-    heading = [part for part in (title, plane.partition("; ")[2], panel.title) if part]
-    panels = [panel._replace(title=""), *([law_panel(law)] if boxes and len(law) > 1 else [])]
-    return standalone(svg("map", panels, plane, heading))
+    if boxes and is_strip(progress.document):
+        delta = exact_number(progress.plane.delta)
+        heading = [*heading, f"vertical: logarithmic; in the middle all from -{delta} to {delta}"]
+    panels = [_areas(progress, names, boxes=boxes)]
+    panels += [law_panel(law)] if boxes and len(law) > 1 else []
+    return standalone(svg("map", panels, plane_line(progress.document), heading))
 
 
 def _areas(progress: Progress, names: Sequence[str], *, boxes: bool) -> Panel:
@@ -64,21 +66,19 @@ def _areas(progress: Progress, names: Sequence[str], *, boxes: bool) -> Panel:
             yield Areas([], COLOURS[letter], name=f"{name} {percent(found[name])} %")
 
     x, y = _scales(progress, names, boxes=boxes)
-    # Beside long marks there is no room for the label of the vertical axis.
-    title = f"vertical: {y.label}" if y.label else ""
-    return Panel(title, x, y._replace(label=""), drawn, "", WIDTH, HEIGHT)
+    # Beside long marks there is no room for the label of the vertical axis: it stands above.
+    return Panel(y.label, x, y._replace(label=""), drawn, "", WIDTH, HEIGHT)
 
 
 def _scales(progress: Progress, names: Sequence[str], *, boxes: bool) -> tuple[Scale, Scale]:
     """The axes, on which shares of the sides are marked with what they stand for."""
     (x_0, x_1), (y_0, y_1) = progress.plane.x, progress.plane.y or (Fraction(0), Fraction(1))
-    x_name, y_name = names
-    up = [] if is_interval(progress.document) else shares_of(y_0, y_1)
+    x_name, across = axis_of(names[0], x_0, x_1)
+    y_name, up = ("", []) if is_interval(progress.document) else axis_of(names[1], y_0, y_1)
     if boxes and is_strip(progress.document):
-        delta = progress.plane.delta
         up = [(0.0, exact_number(-y_1, 6)), (1.0, exact_number(y_1, 6))]
-        y_name = f"φ2 - f(φ1), logarithmic; in the middle all from -{delta} to {delta}"
-    return Scale(x_name, 0, 1, shares_of(x_0, x_1)), Scale(y_name, 0, 1, up)
+        y_name = "φ₂ - f(φ₁)"
+    return Scale(x_name, 0, 1, across), Scale(y_name, 0, 1, up)
 
 
 def _corners(progress: Progress, key: str) -> list[Point]:

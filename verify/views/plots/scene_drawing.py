@@ -1,4 +1,4 @@
-"""A scene as an SVG file (spheres to scale, a zoom, how the end comes near), or as an animation."""
+"""A scene as an SVG file (spheres to scale, how the end comes near), or as an animation."""
 
 from __future__ import annotations
 
@@ -22,9 +22,7 @@ AFTER = 0.4
 def scene_svg(told: Told, steps: Sequence[Step]) -> str:
     """The file."""
     path, radii, unit = legs(told, steps), bodies_of(told).radii, length_unit(told)
-    end = end_time(told, path)
-    panels = [_trajectories(path, end, radii, unit), _zoom(path, end, radii, unit)]
-    panels.append(approach(told, steps))
+    panels = [_trajectories(path, end_time(told, path), radii, unit), approach(told, steps)]
     titles = "; ".join(panel.title for panel in panels)
     return standalone(svg("scene", panels, f"Three spheres: {titles}", told.lines))
 
@@ -61,36 +59,6 @@ def _trajectories(path: Sequence[Leg], end: float, radii: Sequence[float], unit:
         yield Words((x + half, corner[1] - half / 10), "dotted: start; filled: end", "end")
 
     return _square("centre-of-mass frame, to scale", (x, y), half, drawn)
-
-
-def _zoom(path: Sequence[Leg], end: float, radii: Sequence[float], unit: str) -> Panel:
-    """The gap of the pair that collided last, at several moments."""
-    stops = [leg.places for leg in path[:6]] + [places_at(path, end)]
-    pair = path[-1].pair or "01"
-    i, j = map(int, pair)
-    ends = radii[i], radii[j]
-    middle, _ = _contact(stops[-1][i], stops[-1][j], ends)
-    gaps = [abs(_contact(places[i], places[j], ends)[1]) for places in stops]
-    half = max(2 * max(gaps), 1e-6)
-
-    def drawn() -> Iterator[Shape]:
-        for places in stops[:-1]:
-            yield from _spheres(places, "2 6", radii)
-        for shape in _spheres(stops[-1], "", radii):
-            if not isinstance(shape, Words) or math.dist(shape.at, middle) < half:
-                yield shape
-
-    title = f"contact of {' and '.join(pair)}, {counted(2 * half, unit)} wide"
-    return _square(title, middle, half, drawn)
-
-
-def _contact(
-    p: Sequence[float], z: Sequence[float], radii: tuple[float, float]
-) -> tuple[tuple[float, float], float]:
-    """The point between two centres where the spheres touch, and the gap between them."""
-    a, b = radii
-    middle = (p[0] * b + z[0] * a) / (a + b), (p[1] * b + z[1] * a) / (a + b)
-    return middle, math.hypot(p[0] - z[0], p[1] - z[1]) - (a + b)
 
 
 def _spheres(

@@ -31,6 +31,10 @@ CurveAt = Any
 
 COLLAPSES, ENDS, BETWEEN = "refuted-area", "proved-area", "ink"
 WIDTH, HEIGHT = 440, 360
+#: The vertical axis; this stands above it, since there is no room beside its marks.
+UP = "φ₂ |W_c|²"
+#: How far from a mark on the axis its name stands, and the room that it needs to the left of φ⁻.
+BESIDE, ROOM = 0.02, 0.1
 
 
 def phi_2(u: Fraction) -> float:
@@ -40,19 +44,22 @@ def phi_2(u: Fraction) -> float:
 
 def strip_panel(found: Separatrix, strips: Sequence[CurveAt]) -> Panel:
     """The certified areas below and above the curve, the strip between them, and its points."""
-    r, c, ratio = map(exact_number, found.parameters)
-    title = f"r = {r}, -cos θ = {c}, ratio {ratio}"
     high = max(phi_2(strip.high) for strip in strips)
     right = max(strip.q for strip in strips)
-    told = "below the curve the collisions go on for ever, above it they end"
-    x, y = _scale("φ₁", right), _scale("φ₂ |W_c|²", Fraction(high) * Fraction(6, 5))
-    return Panel(title, x, y, lambda: _strip(found, strips, y.high), told, WIDTH, HEIGHT)
+    told = f"Below the curve at {_title(found)} the collisions go on for ever, above it they end."
+    x, y = _scale("φ₁", right), _scale("", Fraction(high) * Fraction(6, 5))
+    return Panel(UP, x, y, lambda: _strip(found, strips, y.high), told, WIDTH, HEIGHT)
+
+
+def _title(found: Separatrix) -> str:
+    r, c, ratio = map(exact_number, found.parameters)
+    return f"r = {r}, -cos θ = {c}, ratio {ratio}"
 
 
 def strip_svg(found: Separatrix, strips: Sequence[CurveAt]) -> str:
     """The same as a file."""
     panel = strip_panel(found, strips)
-    return standalone(svg("separatrix", [panel], f"The separatrix at {panel.title}: {panel.told}"))
+    return standalone(svg("separatrix", [panel], panel.told, [_title(found)]))
 
 
 def figure(found: Separatrix, strips: Sequence[CurveAt]) -> Figure:
@@ -61,7 +68,7 @@ def figure(found: Separatrix, strips: Sequence[CurveAt]) -> Figure:
     ends = low * (2 - low) / 2, high * (2 - high) / 2
     saddle = f"φ₁ = {short(q, 8)} and φ₂|W_c|² = {short(ends, 8)}"
     caption = (
-        f"{strip_panel(found, strips).title}. In every state of the hatched area the collisions "
+        f"{_title(found)}. In every state of the hatched area the collisions "
         "never end, in every state above it they end (both are proved); the curve lies in the thin "
         f"steps between them. On the axis are φ⁻ = {short(minus, 8)}, where orbits below the curve "
         f"go, and φ⁺ = {short(plus, 8)}, where the curve ends. Orbits on it go to the saddle, "
@@ -74,17 +81,17 @@ def _strip(found: Separatrix, strips: Sequence[CurveAt], top: float) -> Iterator
     cells = [(float(a.q), float(b.q), phi_2(b.low), phi_2(a.high)) for a, b in pairwise(strips)]
     below = [(left, right, 0.0, low) for left, right, low, _ in cells if low > 0]
     above = [(left, right, high, top) for left, right, _, high in cells]
-    yield Areas(above, ENDS, 0.0, "they end (proved)")
+    yield Areas(above, ENDS, 0.0, "collisions end (proved)")
     yield Areas(below, COLLAPSES, 0.0, "they never end (proved)")
     strip = [(left, right, low, high) for left, right, low, high in cells]
     yield Areas(strip, BETWEEN, 0.0, "the separatrix lies here")
     right = max(cell[1] for cell in cells)
-    yield Words((0.55 * right, 0.8 * top), "the collisions end")
-    yield Words((0.06 * right, 0.14 * top), "they never end")
     for (low, high), name in zip(found.fixed, ("φ⁻", "φ⁺"), strict=False):
-        at = float((low + high) / 2), 0.0
-        yield Curve([at], "ink", 0)
-        yield Words((at[0], 0.05 * top), name, "middle")
+        at = float((low + high) / 2)
+        is_left = name == "φ⁻" and at > ROOM * right
+        yield Curve([(at, 0.0)], "ink", 0)
+        x = at + (-BESIDE if is_left else BESIDE) * right
+        yield Words((x, 0.055 * top), name, "end" if is_left else "start")
     yield from _cycle(found, top)
 
 
@@ -103,14 +110,14 @@ def curves_svg(curves: Sequence[tuple[Separatrix, Sequence[CurveAt]]]) -> str:
     drawn = [(found, strips) for found, strips in curves if strips]
     c, ratio = (exact_number(x) for x in curves[0][0].parameters[1:])
     first, last = (exact_number(found.parameters.r) for found, _ in (curves[0], curves[-1]))
-    title = f"r from {first} to {last}, -cos θ = {c}, ratio {ratio}"
+    title = f"r from {first} (top) to {last}, -cos θ = {c}, ratio {ratio}"
     right = max((strip.q for _, strips in drawn for strip in strips), default=Fraction(1))
     high = max((phi_2(s.high) for _, strips in drawn for s in strips), default=1.0)
     told = "the separatrix for several r, the least r on top"
-    x, y = _scale("φ₁", right), _scale("φ₂ |W_c|²", Fraction(high) * Fraction(11, 10))
+    x, y = _scale("φ₁", right), _scale("", Fraction(high) * Fraction(11, 10))
     height = HEIGHT + LEGEND * -(-len(drawn) // 2)
-    panel = Panel(title, x, y, lambda: _curves(drawn), told, WIDTH, height)
-    return standalone(svg("separatrices", [panel], f"{title}: {told}"))
+    panel = Panel(UP, x, y, lambda: _curves(drawn), told, WIDTH, height)
+    return standalone(svg("separatrices", [panel], f"{title}: {told}", [title]))
 
 
 def _curves(drawn: Iterable[tuple[Separatrix, Sequence[CurveAt]]]) -> Iterator[Shape]:

@@ -167,20 +167,48 @@ def marks(*texts: str) -> list[tuple[float, str]]:
 
 #: How far round marks are apart, in powers of ten.
 STEPS = (Fraction(2), Fraction(1), Fraction(1, 2), Fraction(1, 5))
+#: Marks are decimals, however many digits they have; on axes only if they have so few letters.
+MANY, LONG = 60, 7
 
 
 def round_marks(low: Fraction, high: Fraction, steps: int = 3) -> list[tuple[float, str]]:
     """Marks at multiples of 1, 2 or 5 times a power of ten, so that there are so many steps."""
+    return [(float(at), exact_number(at, MANY)) for at in _multiples(low, high, steps)]
+
+
+def _multiples(low: Fraction, high: Fraction, steps: int) -> list[Fraction]:
     unit = Fraction(10) ** floor(log10(high - low))
     step = next(unit * part for part in STEPS if unit * part * steps <= high - low)
-    count = range(ceil(low / step), floor(high / step) + 1)
-    return [(float(k * step), exact_number(k * step)) for k in count]
+    return [k * step for k in range(ceil(low / step), floor(high / step) + 1)]
 
 
-def shares_of(low: Fraction, high: Fraction) -> list[tuple[float, str]]:
-    """Some four steps of round marks, each at its share of the way from low to high."""
-    size = float(high - low)
-    return [((value - float(low)) / size, text) for value, text in round_marks(low, high, 4)]
+def axis_of(name: str, low: Fraction, high: Fraction) -> tuple[str, list[tuple[float, str]]]:
+    """What an axis is called, and some four steps of round marks: their shares of the way.
+
+    Where marks are long, they say by how much, in a power of ten, they differ from one number.
+    """
+    marks = _multiples(low, high, 4)
+    base, unit = Fraction(0), 0
+    if max(len(exact_number(at, MANY)) for at in marks) > LONG:
+        most = max(map(abs, marks))
+        if most > 1000 * (marks[1] - marks[0]):
+            base = marks[0]
+            most = marks[-1] - base
+        unit = floor(log10(most))
+        added = f"{exact_number(base, MANY)} + " if base else ""
+        name = f"{name} = {added}mark × {ten(unit)}"
+    texts = [exact_number((at - base) / Fraction(10) ** unit, MANY) for at in marks]
+    return name, [
+        (float((at - low) / (high - low)), text) for at, text in zip(marks, texts, strict=True)
+    ]
+
+
+def logarithmic_marks(low: float, high: float) -> list[tuple[float, str]]:
+    """Marks at 1, 2 and 5 times powers of ten; or at some of the powers, if they are many."""
+    first, last = floor(log10(low)), ceil(log10(high))
+    factors, step = ((1, 2, 5), 1) if last - first <= 3 else ((1,), -(-(last - first) // 8))
+    marks = [k * Fraction(10) ** power for power in range(first, last + 1, step) for k in factors]
+    return [(float(at), exact_number(at, MANY)) for at in marks if low <= at <= high]
 
 
 def round_below(most: float) -> float:

@@ -117,6 +117,11 @@ def inelastic(r: Number) -> Number:
     return r**2 - 14 * r + 1
 
 
+def comes_to_rest(r: Number) -> Number:
+    """What is negative if r > 9 - 4√5, for r in ]0,1[."""
+    return r**2 - 18 * r + 1
+
+
 def turning(now: Whole | Spread) -> Number:
     """What is positive if the angular momentum keeps R² above 2, where R² >= 2 now."""
     most = now.touching if isinstance(now, Spread) else 2

@@ -736,7 +736,7 @@ def check_finite(law: Law, turns: Callable[[], bool] = lambda: False) -> None:
         RefusedError: if that is not shown.
     """
     r = law.bounds[0]
-    if not 0 < r < ONE or r * r - 18 * r * ONE + ONE * ONE >= 0:
+    if r >= ONE or r * r - 18 * r * ONE + ONE * ONE >= 0:
         raise RefusedError("r may be 9 - 4√5 or less")
     if r * r - 14 * r * ONE + ONE * ONE >= 0 and not turns():
         raise RefusedError("r may be 7 - 4√3 or less, and the angular momentum 0")

@@ -225,6 +225,19 @@ def test_angular_momentum_is_that_about_the_centre_of_mass() -> None:
     assert not check_map.turns(other, "0")
 
 
+@pytest.mark.parametrize("place", ["positions[2][1]", "velocities[2][1]"])
+def test_a_plane_through_a_scene_has_angular_momentum(place: str) -> None:
+    """3 L = -3 y where the position varies, and -(4 + x) y where the velocity does."""
+    plane = check_map.plane_of({
+        "name": "scene", "r": "3/50", "positions": [["0", "0"], ["2", "0"], ["-2", "0"]],
+        "velocities": [["0", "0"], ["-1", "0"], ["1", "0"]], "x_at": "positions[1][0]",
+        "y_at": place, "x": ["2", "3"], "y": ["-1", "1"],
+    })  # fmt: skip
+    assert [check_map.turns(plane, key) for key in ("00", "02", "20", "22")] == [
+        True, False, False, True
+    ]  # fmt: skip
+
+
 def test_random_boxes_with_angular_momentum() -> None:
     """One component has one sign at all points of such a box."""
     choose, found, missed = random.Random(11), 0, 0
@@ -272,6 +285,9 @@ def test_finitely_many_collisions_in_a_log() -> None:
             continue
         with pytest.raises(RefusedError, match=said):
             checked(lines)
+    law = check_map.law_of(F(3, 50), MODELS)
+    with pytest.raises(RefusedError, match="the angular momentum 0"):
+        check_map.prove_box(law, lambda _: [], "0", "f", [])
     with pytest.raises(RefusedError, match="the angular momentum 0"):
         checked(log_of(PHI, 1, ("0 1 2 3", "fuuu", [])))
 

@@ -16,7 +16,8 @@ that the log has for it. What it takes on trust, besides itself and Python:
   the next collision: the theorem of `certificates/flow`;
 * that the inequalities of `closes` imply a collapse: the theorem of `certificates/sharper`;
 * for spheres on a line, that those of `closes_on_a_line` do: the theorem of `certificates/line`;
-* that r > 7 - 4√3 leaves finitely many collisions: the theorem of `certificates/classification`.
+* that r > 7 - 4√3 leaves finitely many collisions, and so does r > 9 - 4√5 where the angular
+  momentum about the centre of mass is not 0: the theorem of `certificates/classification`.
 
 A scene in which two spheres just graze has the verdict that it gets whether this counts as a
 collision or not. Scenes in which all three touch at once, or overlap, at the start are not meant.
@@ -33,7 +34,7 @@ import re
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from hashlib import sha256
 from math import isqrt
 from typing import Any, NamedTuple
@@ -725,15 +726,20 @@ def closes_on_a_line(law: Law, z: Sight) -> bool:
     return bool(2 * Q < half and r <= Q * (half - Q) >> PLACES)
 
 
-def check_finite(law: Law) -> None:
-    """Afterwards r > 7 - 4√3: then r² - 14 r + 1 < 0.
+def check_finite(law: Law, turns: Callable[[], bool] = lambda: False) -> None:
+    """Afterwards there are finitely many collisions; `turns` says whether L is not 0.
+
+    Above 7 - 4√3, where r² - 14 r + 1 < 0, there is no collapse. Above 9 - 4√5, where
+    r² - 18 r + 1 < 0, all velocities about the centre of mass vanish at a collapse, so that L is 0.
 
     Raises:
         RefusedError: if that is not shown.
     """
     r = law.bounds[0]
-    if not 0 < r < ONE or r * r - 14 * r * ONE + ONE * ONE >= 0:
-        raise RefusedError("r may be 7 - 4√3 or less")
+    if r >= ONE or r * r - 18 * r * ONE + ONE * ONE >= 0:
+        raise RefusedError("r may be 9 - 4√5 or less")
+    if r * r - 14 * r * ONE + ONE * ONE >= 0 and not turns():
+        raise RefusedError("r may be 7 - 4√3 or less, and the angular momentum 0")
 
 
 # --- the planes of maps --------------------------------------------------------------------------
@@ -1061,6 +1067,45 @@ def value_of(kind: Arithmetic, term: Term, x: Number, y: Number) -> Number:
     return {"+": kind.add, "-": kind.sub, "*": kind.mul, "/": kind.div}[name](a, b)
 
 
+def turns(plane: Plane, key: str) -> bool:
+    """Whether the angular momentum L about the centre of mass is nowhere 0 on a box.
+
+    A component of 3 L = (x_1 - x_0)∧(2 v_1 - v_2 - v_0) + (x_2 - x_0)∧(2 v_2 - v_1 - v_0) has one
+    sign in all scenes; all masses are 1.
+    """
+    if not isinstance(plane, Through | Family):
+        return False
+    add, sub, mul = MODELS[:3]
+    x, y = _on_box(MODELS, plane, key)
+    at = dict(varying(plane))
+
+    def rows(name: str, given: Sequence[Sequence[Term]]) -> list[list[Number]]:
+        return [
+            [value_of(MODELS, at.get((name, i, k), cell), x, y) for k, cell in enumerate(row)]
+            for i, row in enumerate(given)
+        ]
+
+    places, (v_0, v_1, v_2) = (
+        rows("positions", plane.positions),
+        rows("velocities", plane.velocities),
+    )
+    arms = [[sub(a, b) for a, b in zip(place, places[0], strict=True)] for place in places[1:]]
+    pushes = [
+        [sub(sub(add(a, a), b), c) for a, b, c in zip(*three, strict=True)]
+        for three in ((v_1, v_2, v_0), (v_2, v_1, v_0))
+    ]
+    for k in range(len(v_0)):
+        for m in range(k):
+            one, two = (
+                sub(mul(arm[m], push[k]), mul(arm[k], push[m]))
+                for arm, push in zip(arms, pushes, strict=True)
+            )
+            low, high = add(one, two)[:2]
+            if low > 0 or high < 0:
+                return True
+    return False
+
+
 def operations(term: Term) -> int:
     """How many operations a term has."""
     return 1 + operations(term[1]) + operations(term[2]) if isinstance(term, tuple) else 0
@@ -1249,7 +1294,7 @@ def check_log(lines: Iterator[bytes], most: int | None = MAX_WORK) -> tuple[Plan
         raise LogError("expected a first level from 1 to 8")
     if isinstance(plane, Strip) and 1 << level != len(plane.curve):
         raise LogError("expected a first box for each part of the curve")
-    tally, rules = Tally(plane), Rules(price_of(plane), on_a_line(plane))
+    tally, rules = Tally(plane), rules_of(plane)
     law = law_in(plane)
     begin, work, digits = beginning(law, plane), Work(most), digits_of(plane)
     due, children = [_key(i, level, digits) for i in range(len(digits) ** level)], list[str]()
@@ -1327,10 +1372,16 @@ def _and_share(share: Fraction, plane: Plane, key: str) -> Fraction:
 
 
 class Rules(NamedTuple):
-    """What it costs to begin with a box, and whether all spheres are on a line."""
+    """What it costs to begin with a box, whether all spheres are on a line, and where they turn."""
 
     price: int = BOX_PRICE
     is_line: bool = False
+    turns: Callable[[str], bool] = lambda _: False
+
+
+def rules_of(plane: Plane) -> Rules:
+    """The rules for the boxes of a plane."""
+    return Rules(price_of(plane), on_a_line(plane), partial(turns, plane))
 
 
 def law_in(plane: Plane) -> Laws:
@@ -1361,7 +1412,7 @@ def prove_box(
         here = on_box(law, key)
         work.spend(rules.price * here.kind.price)
         if letter == "f":
-            check_finite(here)
+            check_finite(here, partial(rules.turns, key))
         elif rules.is_line and not numbers:
             prove(here, begin(key), letter, numbers, work, closes_on_a_line)
         else:
@@ -1441,7 +1492,7 @@ def sixes(flat: object, letter: str, least: int = 6) -> list[tuple[Interval, ...
     Raises:
         LogError: if they are no such numbers.
     """
-    if (letter == "d" and not flat) or (least == 0 and flat == []):
+    if (letter != "c" and not flat) or (least == 0 and flat == []):
         return []
     if not isinstance(flat, list) or not 0 < len(flat) <= 6 * MAX_SIXES or len(flat) % 6:
         raise LogError("expected six numbers for each branch of a box that collapses")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
+from itertools import product
 from typing import Any
 
 import pytest
@@ -20,6 +21,10 @@ LINE: dict[str, Any] = {
     "axes": ["r"], "x": ["1/20", "3/50"],
 }  # fmt: skip
 PLANE = {**LINE, "axes": ["r", "vx"], "y": ["0", "1"]}
+PHI: dict[str, Any] = {
+    "name": "phi", "r": "3/50", "neg_cos": "1", "speed": "1/100", "tangential": ["1", "1"],
+    "x": ["0", "1/2"], "y": ["0", "1/4"],
+}  # fmt: skip
 Lines = list[dict[str, Any]]
 
 
@@ -127,17 +132,164 @@ def test_elsewhere_six_numbers_are_needed() -> None:
         ("3589/50000", False),
         ("9/125", True),
         ("99/100", True),
-        ("1/1000", False),
     ],
 )
 def test_finitely_many_collisions_need_a_large_r(r: str, good: bool) -> None:
     """7 - 4√3 = 0.071796…"""
     law = check_map.law_of(F(r), MODELS)
+    check_map.check_finite(law, lambda: True)
     if good:
         check_map.check_finite(law)
         return
-    with pytest.raises(RefusedError, match="7 - 4√3 or less"):
+    with pytest.raises(RefusedError, match="7 - 4√3 or less, and the angular momentum 0"):
         check_map.check_finite(law)
+
+
+@pytest.mark.parametrize(
+    ("r", "good"),
+    [("1/1000", False), ("5572809/100000000", False), ("55728091/1000000000", True)],
+)
+def test_with_angular_momentum_a_smaller_r_is_enough(r: str, good: bool) -> None:
+    """9 - 4√5 = 0.0557280900008…"""
+    law = check_map.law_of(F(r), MODELS)
+    if good:
+        check_map.check_finite(law, lambda: True)
+    for turns in (True, False)[good:]:
+        with pytest.raises(RefusedError, match="r may be"):
+            check_map.check_finite(law, lambda turns=turns: turns)
+
+
+#: 3 L = 3 (x - 1/2): sphere 2 is at (0, x - 1/2) from the middle of the two others, and passes by.
+PASSING: dict[str, Any] = {
+    "name": "family", "r": "3/50",
+    "positions": [["0", "0"], ["2", "0"], ["-2", ["-", "1/2", "x"]]],
+    "velocities": [["0", "0"], ["0", "0"], ["3/2", "0"]],
+    "axes": ["h"], "x": ["0", "1"],
+}  # fmt: skip
+
+
+def momenta(plane: Family, x: Fraction, y: Fraction) -> list[Fraction]:
+    """The components of 3 L, about the centre of mass, at a point."""
+    places, speeds = (
+        [[exact(cell, x, y) for cell in row] for row in rows]
+        for rows in (plane.positions, plane.velocities)
+    )
+    centre, drift = (
+        [sum(column) for column in zip(*rows, strict=True)] for rows in (places, speeds)
+    )
+
+    def wedge(a: list[Fraction], b: list[Fraction], k: int, m: int) -> Fraction:
+        return a[k] * b[m] - a[m] * b[k]
+
+    return [
+        3 * sum(wedge(p, v, k, m) for p, v in zip(places, speeds, strict=True))
+        - wedge(centre, drift, k, m)
+        for k in range(len(centre))
+        for m in range(k)
+    ]
+
+
+def test_where_there_is_angular_momentum() -> None:
+    plane = family(**PASSING)
+    assert momenta(plane, F(1), F(0)) == [F(-3, 2)] == [-p for p in momenta(plane, F(0), F(0))]
+    assert [check_map.turns(plane, key) for key in ("0", "1")] == [False, False]
+    assert [check_map.turns(plane, key) for key in ("00", "01", "10", "11")] == [
+        True, False, False, True
+    ]  # fmt: skip
+    for end in (F(1, 2), F(1, 2) - F(1, 2**80)):
+        near = plane._replace(x=(F(0), end))
+        assert check_map.turns(near, "1") == (end < F(1, 2))
+        far = plane._replace(x=(1 - end, F(1)))
+        assert check_map.turns(far, "0") == (end < F(1, 2))
+
+
+def test_angular_momentum_is_that_about_the_centre_of_mass() -> None:
+    """Scenes on a line have none, wherever they are and however they drift."""
+    shifted = {
+        "positions": [["9", "x"], ["11", "x"], ["13/2", "x"]],
+        "velocities": [["7", "x"], ["6", "x"], ["8", "x"]],
+    }
+    for plane in (family(), family(**shifted)):
+        assert not any(check_map.turns(plane, key) for key in ("0", "1", "01011"))
+    line = {"positions": [["0"], ["2"], ["x"]], "velocities": [["0"], ["-1"], ["1"]]}
+    assert not check_map.turns(family(**line, x=["-3", "-2"]), "0")
+    for axis in range(3):  # the plane of one pair of axes is enough
+        positions = [["0"] * 3, ["2"] * 3, ["-2"] * 3]
+        velocities = [["0"] * 3, ["0"] * 3, ["1"] * 3]
+        velocities[2][axis] = "x"
+        turned = family(positions=positions, velocities=velocities, x=["0", "2"])
+        assert [check_map.turns(turned, key) for key in ("00", "01", "10", "11")] == [
+            True, False, False, True
+        ]  # fmt: skip
+    other = check_map.plane_of(PHI)
+    assert not check_map.turns(other, "0")
+
+
+@pytest.mark.parametrize("place", ["positions[2][1]", "velocities[2][1]"])
+def test_a_plane_through_a_scene_has_angular_momentum(place: str) -> None:
+    """3 L = -3 y where the position varies, and -(4 + x) y where the velocity does."""
+    plane = check_map.plane_of({
+        "name": "scene", "r": "3/50", "positions": [["0", "0"], ["2", "0"], ["-2", "0"]],
+        "velocities": [["0", "0"], ["-1", "0"], ["1", "0"]], "x_at": "positions[1][0]",
+        "y_at": place, "x": ["2", "3"], "y": ["-1", "1"],
+    })  # fmt: skip
+    assert [check_map.turns(plane, key) for key in ("00", "02", "20", "22")] == [
+        True, False, False, True
+    ]  # fmt: skip
+
+
+def test_random_boxes_with_angular_momentum() -> None:
+    """One component has one sign at all points of such a box."""
+    choose, found, missed = random.Random(11), 0, 0
+    for _ in range(400):
+        size = choose.choice((2, 3))
+        cells = [[random_term(choose, 2) for _ in range(size)] for _ in range(6)]
+        plane = Family(
+            F(3, 50), tuple(map(tuple, cells[:3])), tuple(map(tuple, cells[3:])), ("a", "b"),
+            (F(1), F(2)), (F(1, 2), F(1)),
+        )  # fmt: skip
+        key = "".join(choose.choice("0123") for _ in range(3))
+        try:
+            turns = check_map.turns(plane, key)
+        except RefusedError:
+            continue
+        column, row = check_map.corner(key)
+        points = [
+            (1 + (column + F(i, 4)) / 8, F(1, 2) + (row + F(j, 4)) / 16)
+            for i in range(5)
+            for j in range(5)
+        ]
+        at_points = zip(*(momenta(plane, *point) for point in points), strict=True)
+        has_sign = any(all(p > 0 for p in ps) or all(p < 0 for p in ps) for ps in at_points)
+        assert has_sign or not turns
+        found, missed = found + turns, missed + (has_sign and not turns)
+    assert found > 100
+    assert missed < found / 20
+
+
+def test_finitely_many_collisions_in_a_log() -> None:
+    good = log_of(PASSING, 2, ("00 01 10 11", "fuuf", []))
+    plane, areas = checked(good)
+    assert (areas.finite, areas.undecided) == (F(1, 2), F(1, 2))
+    assert check_map.cites(plane, areas) == ("flow", "sharper", "classification")
+    for letters in ("ffuf", "fuff"):
+        with pytest.raises(RefusedError, match=r"box (01|10), f: .*the angular momentum 0"):
+            checked(log_of(PASSING, 2, ("00 01 10 11", letters, [])))
+    for low, said in (("5572/100000", "9 - 4√5"), ("5573/100000", None)):
+        both = PASSING | {"r": "y", "axes": ["h", "r"], "y": [low, "7/100"]}
+        lines = log_of(
+            both, 2, (" ".join(map("".join, product("0123", repeat=2))), "f" + "u" * 15, [])
+        )
+        if said is None:
+            checked(lines)
+            continue
+        with pytest.raises(RefusedError, match=said):
+            checked(lines)
+    law = check_map.law_of(F(3, 50), MODELS)
+    with pytest.raises(RefusedError, match="the angular momentum 0"):
+        check_map.prove_box(law, lambda _: [], "0", "f", [])
+    with pytest.raises(RefusedError, match="the angular momentum 0"):
+        checked(log_of(PHI, 1, ("0 1 2 3", "fuuu", [])))
 
 
 def test_r_of_a_box_is_in_01() -> None:

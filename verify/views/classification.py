@@ -59,6 +59,11 @@ THEOREMS = (
         "in finite time, as in I and, for equal masses, II. For equal masses and one r in "
         "]7-4√3, 1] it is the first, whatever L."
     ),
+    (
+        "IV b. With angular momentum. For equal masses and one r in ]9-4√5, 1], L ≠ 0 leaves "
+        "finitely many collisions: at a collapse velocities would tend to 0 in that frame, by "
+        "II b, and L with them."
+    ),
 )
 
 
@@ -98,7 +103,7 @@ def restitution_lines(found: AtR) -> Iterator[str]:
         if found.comes_to_rest:
             yield (
                 "  as r > 9-4√5, both velocities relative to the middle ball tend to 0 in it, as "
-                "on a line"
+                "on a line: the angular momentum about the centre of mass is 0"
             )
 
 

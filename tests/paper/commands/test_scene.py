@@ -20,7 +20,8 @@ from tests.spheres.scene.scenes import CASES, aligned, at_angle
 from verify import check
 from verify.paper.commands.regenerate import is_right_statement
 from verify.paper.commands.scene import read_back, scene_outcome
-from verify.spheres.scene.decide import UNDECIDED, Budget, decide_scene
+from verify.spheres.flow.follow import Flow
+from verify.spheres.scene.decide import FINITE, UNDECIDED, Budget, decide_scene
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.scene_files import read_scene
 from verify.wire.term_json import TermReader
@@ -30,6 +31,7 @@ SCENES = Path(__file__).resolve().parents[3] / "certificates" / "scenes"
 NUMBER = re.compile(r"-?[0-9]+(\.[0-9]+)?(e-?[0-9]+)?(/[0-9]+)?")
 #: With more digits, squares of the numbers in `touching` over a common divisor are too long.
 SHORT = 6
+FEW = Budget(collisions=1)
 SLOW = ("below-9", "above", "thousand", "ray", "threshold-0.51", "doubles")
 
 
@@ -84,6 +86,26 @@ def test_finite_by_the_coefficient_of_restitution() -> None:
     files = files_of(scene._replace(r=scene.r * 50), budget)
     assert report(files).verdict == "PROVED"
     assert b'"finite.restitution"' in files["statement.json"]
+
+
+def test_finite_by_the_angular_momentum() -> None:
+    """At r > 9 - 4√5 = 0.0557280900008…, where L is not 0; nothing is said of other scenes."""
+    found = decide_scene(CASES["above-9-4√5"][0], Budget(collisions=1))
+    assert (found.verdict, found.name) == (FINITE, "momentum")
+
+    def accepted(r: str, scene: Scene = found.flow.scene) -> bool:
+        """As it would be written by a program that says it of any scene."""
+        scene = scene._replace(r=Fraction(r))
+        lie = found._replace(flow=Flow(scene, found.flow.bits))
+        return report(write(scene_outcome(lie, 4 * lie.flow.bits))).verdict == "PROVED"
+
+    assert accepted("0.0558")
+    assert accepted("0.0557280901")
+    assert not accepted("0.05572809")
+    assert not accepted("0.0558", CASES["without-angular-momentum"][0])
+    assert decide_scene(found.flow.scene._replace(r=Fraction("0.05572809")), FEW).name == "budget"
+    for name in ("without-angular-momentum", "a-thousand-on-a-line"):
+        assert decide_scene(CASES[name][0]._replace(r=Fraction("0.06")), FEW).name != "momentum"
 
 
 def test_random_scenes_with_every_kind_of_move() -> None:

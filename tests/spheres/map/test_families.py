@@ -9,15 +9,17 @@ from pathlib import Path
 from typing import Any
 
 import jsonschema
+import numpy as np
 import pytest
 
 from tests.check.test_check_map import sealed
 from verify import check_map
 from verify.cli import main
+from verify.spheres.map import boxes as boxes_module
 from verify.spheres.map.axes import axis_in, plane_in
 from verify.spheres.map.boxes import verdicts
 from verify.spheres.map.grow import Target, decide_chunks, grow
-from verify.spheres.map.log import Progress, plane_document
+from verify.spheres.map.log import Progress, all_keys, plane_document
 from verify.spheres.map.planes import Scenes
 from verify.spheres.map.workers import workers
 from verify.spheres.scene.decide import decide_scene
@@ -205,13 +207,13 @@ def test_the_critical_r_on_a_line(tmp_path: Path, capsys: pytest.CaptureFixture[
 def test_a_line_may_have_any_rational_direction(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Positions and velocities along (3, 4); a little beside the line nothing is decided."""
+    """Positions and velocities along (3, 4); a little beside the line it is another theorem."""
     turned = """r = 0.06
 positions = [[1, 1], ["1 + 3*0.4", "1 + 4*0.4"], ["1 - 3*0.5", "1 - 4*0.5"]]
 velocities = [[5, 0], ["5 - 3*s", "-4*s"], ["5 + 3", "4 + BESIDE"]]
 parameters = {s = "1..1.01"}
 """
-    for beside, letter in (("0", "c"), ("1/1000000", "u")):
+    for beside, letter in (("0", "c"), ("1/1000000", "f")):
         file, out = tmp_path / "turned.toml", tmp_path / f"out-{letter}"
         file.write_text(turned.replace("BESIDE", beside), encoding="utf-8")
         assert main(["map", str(file), "--x", "s", "--boxes", "64", "--out", str(out)]) in (0, 3)
@@ -288,17 +290,74 @@ NEAR_A_LINE = """r = "0.05..0.06"
 positions  = [[0, 0], ["1.01", 0], ["-1.05", "0.001"]]
 velocities = [[0, 0], [-1, 0], [1, 0]]
 """
+#: The two others as far from the line on the same side.
+WITHOUT_MOMENTUM = NEAR_A_LINE.replace('"1.01", 0', '"1.01", "0.001"')
 
 
 def test_what_the_checker_does_not_follow_is_undecided() -> None:
     """So many collisions are certain in doubles, and not in the numbers of the checker."""
-    plane = plane_of(NEAR_A_LINE, "r")
-    keys = ["10101011000", "11111111111"]
-    ((chunk, _),) = decide_chunks(plane, [keys])
-    assert chunk.letters == "ud"
+    for text, key, letter in (
+        (NEAR_A_LINE, "10101011000", "f"),
+        (WITHOUT_MOMENTUM, "10101000111", "u"),
+    ):
+        plane, keys = plane_of(text, "r"), [key, "1" * 11]
+        assert verdicts(plane, keys).letters == "dd"
+        ((chunk, _),) = decide_chunks(plane, [keys])
+        assert chunk.letters == f"{letter}d"
+        checked = check_map.plane_of(plane_document(plane))
+        law = check_map.law_in(checked)
+        begin = check_map.beginning(law, checked)
+        with pytest.raises(check_map.RefusedError, match=r"which collision is the next|in contact"):
+            check_map.prove_box(law, begin, key, "d", [])
+        check_map.prove_box(law, begin, keys[1], "d", [])
+
+
+#: r across 9 - 4√5 and 7 - 4√3; without speed across, the spheres stay on a line.
+ACROSS = """r = "0.05..0.09"
+positions  = [[0, 0], ["1.01", 0], ["-1.05", 0]]
+velocities = [[0, 0], [-1, "w"], [1, "-w/2"]]
+parameters = {w = "-0.3..0.3"}
+"""
+
+
+def test_between_the_thresholds_angular_momentum_decides(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """No point of such a box collapses; most of them are followed to the end."""
+    plane = plane_of(ACROSS, "r", "w")
+    lines = log_of(plane, 1500)
+    _, areas = check_map.check_log(iter(lines), None)
+    assert areas.undecided < Fraction(2, 100)
+    assert areas.finite > Fraction(1, 4)
+    family, rng, ended = read_family("f", ACROSS.encode()), random.Random(5), 0
+    boxes = [
+        key
+        for line in map(json.loads, lines[1:])
+        for key, letter in zip(line["keys"].split(), line["verdicts"], strict=True)
+        if letter == "f"
+    ]
+    for key in rng.sample(boxes, 40):
+        share = [
+            Fraction(place * 997 + rng.randint(0, 997), 2 ** len(key) * 997)
+            for place in check_map.corner(key)
+        ]
+        sides = [family.sides[name] for name in "rw"]
+        r, w = (a + (b - a) * x for (a, b), x in zip(sides, share, strict=True))
+        found = decide_scene(family.at({"r": r, "w": w})).verdict
+        assert found != "collapses", (key, r, w)
+        ended += found == "disperses"
+    assert ended > 35
+    monkeypatch.setattr(boxes_module, "turning", lambda *_: np.zeros(1, bool))
+    _, without = check_map.check_log(iter(log_of(plane, 1500)), None)
+    assert without.undecided > 5 * areas.undecided
+
+
+def test_angular_momentum_in_boxes_and_in_the_checker() -> None:
+    """Where boxes say so, the checker does; on the line itself nobody does."""
+    plane = plane_of(ACROSS, "r", "w")
+    keys = list(all_keys(4))
+    found = boxes_module.turning(plane, keys)
     checked = check_map.plane_of(plane_document(plane))
-    law = check_map.law_in(checked)
-    begin = check_map.beginning(law, checked)
-    with pytest.raises(check_map.RefusedError, match="which collision is the next"):
-        check_map.prove_box(law, begin, keys[0], "d", [])
-    check_map.prove_box(law, begin, keys[1], "d", [])
+    assert found.tolist() == [check_map.turns(checked, key) for key in keys]
+    touching = [check_map.corner(key)[1] in (7, 8) for key in keys]
+    assert [not x for x in found.tolist()] == touching

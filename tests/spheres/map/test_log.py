@@ -29,8 +29,8 @@ DECIDING = (
 )
 #: Of these files, for each code. Where one of them has changed: the next code, or, if no verdict
 #: and no number can have changed, another digest for this code.
-DIGEST = "a0d7a0b52ea34f2cab71ecd30d21f71fe7865eecc2c3318ae3bb678f45f317fd"
-DIGESTS = {2: DIGEST, 5: DIGEST}
+DIGEST = "cba76bd754e7a1e35ee4cd3f5563b9d95ff54f429993f98590b141af7ce68589"
+DIGESTS = {2: DIGEST, 6: DIGEST}
 
 
 def test_other_code_has_another_number() -> None:

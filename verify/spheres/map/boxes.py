@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import partial
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -33,7 +34,7 @@ from verify.spheres.map.planes import (
     views,
 )
 from verify.spheres.map.strip import BorderStrip, height
-from verify.spheres.scene.criteria import inelastic
+from verify.spheres.scene.criteria import comes_to_rest, inelastic
 
 COLLAPSES, DISPERSES, FINITE, UNDECIDED = "c", "d", "f", "u"
 #: How far boxes are followed, and how often one is split where spheres may graze.
@@ -49,7 +50,8 @@ NOTHING = (Fraction(0), Fraction(0))
 class Verdicts(Record):
     """One letter a box, and for each box the numbers of the branches that collapse.
 
-    ``late`` are the places of boxes with more collisions than the checker surely follows.
+    ``late`` are the places of boxes that the checker may not confirm: those with more collisions
+    than it surely follows, or with an angular momentum that is nearly 0.
     """
 
     letters: str
@@ -185,15 +187,40 @@ def _and_more(
 
 
 def finitely_many(plane: Scenes, keys: Sequence[str]) -> Verdicts:
-    """Whether r > 7 - 4√3, where no spheres overlap."""
+    """Whether r > 7 - 4√3, or r > 9 - 4√5 with angular momentum, where no spheres overlap."""
     with np.errstate(all="ignore"):
         x, y = sides(plane, keys)
         r = value_of(plane.r, x, y, enclosed)
         least = exactly(r.low)
-        fine = np.broadcast_to((r.low > 0) & (inelastic(least).high < 0), len(keys)).copy()
+        fine = np.broadcast_to((r.low > 0) & (comes_to_rest(least).high < 0), len(keys)).copy()
+        late = fine & ~(inelastic(least).high < 0)
+        if late.any():
+            fine &= ~late | turning(plane, keys)
         for pair in views(plane, x, y, enclosed)[1]:
             fine &= pair.g.low >= 0
-    return Verdicts("".join(np.where(fine, FINITE, UNDECIDED).tolist()), [[] for _ in keys])
+    letters = "".join(np.where(fine, FINITE, UNDECIDED).tolist())
+    return Verdicts(letters, [[] for _ in keys], np.flatnonzero(fine & late).tolist())
+
+
+def turning(plane: Scenes, keys: Sequence[str]) -> Array:
+    """Whether the angular momentum about the centre of mass is nowhere 0 on a box."""
+    x, y = map(MODELS.parameter, (0, 1), sides(plane, keys))
+    given = plane.coordinates
+    places, (v_0, v_1, v_2) = (
+        [[value_of(term, x, y, MODELS.number) for term in row] for row in rows]
+        for rows in (given.x, given.v)
+    )
+    arms = [[a - b for a, b in zip(place, places[0], strict=True)] for place in places[1:]]
+    pushes = [
+        [a + a - b - c for a, b, c in zip(*three, strict=True)]
+        for three in ((v_1, v_2, v_0), (v_2, v_1, v_0))
+    ]
+    found = np.zeros(len(keys), bool)
+    for k, m in combinations(range(len(v_0)), 2):
+        one, two = (a[k] * w[m] - a[m] * w[k] for a, w in zip(arms, pushes, strict=True))
+        found |= (one + two).low > 0
+        found |= (one + two).high < 0
+    return found
 
 
 def verdicts_of(

@@ -11,7 +11,7 @@ from typing import BinaryIO
 
 from verify import check_map
 from verify.language.record import Record
-from verify.spheres.map.boxes import UNDECIDED, Verdicts, verdicts
+from verify.spheres.map.boxes import FINITE, UNDECIDED, Verdicts, verdicts
 from verify.spheres.map.log import CHUNK, Chunk, Progress, plane_document
 from verify.spheres.map.planes import Plane
 from verify.spheres.map.strip import BorderStrip
@@ -78,21 +78,27 @@ def batches(progress: Progress, ahead: int) -> Iterator[list[list[str]] | None]:
 
 
 def _confirmed(plane: Plane | BorderStrip, keys: list[str], found: Verdicts) -> Verdicts:
-    """The verdicts without those of late boxes that the checker does not follow as far."""
+    """The verdicts, but for late boxes those that the checker confirms."""
     if not found.late:
         return found
     checked = check_map.plane_of(plane_document(plane))
     law = check_map.law_in(checked)
     begin = check_map.beginning(law, checked)
-    rules = check_map.Rules(check_map.price_of(checked), check_map.on_a_line(checked))
+    rules = check_map.rules_of(checked)
     letters = list(found.letters)
-    for i in found.late:
+
+    def is_proved(i: int, letter: str) -> bool:
         flat = [number for six in found.numbers[i] for number in six]
         try:
-            numbers = check_map.sixes(flat, letters[i], 0 if rules.is_line else 6)
-            check_map.prove_box(law, begin, keys[i], letters[i], numbers, None, rules)
+            numbers = check_map.sixes(flat, letter, 0 if rules.is_line else 6)
+            check_map.prove_box(law, begin, keys[i], letter, numbers, None, rules)
         except check_map.RefusedError:
-            letters[i] = UNDECIDED
+            return False
+        return True
+
+    for i in found.late:
+        choices = (letters[i], FINITE)
+        letters[i] = next((letter for letter in choices if is_proved(i, letter)), UNDECIDED)
     return found._replace(letters="".join(letters))
 
 

@@ -25,7 +25,7 @@ from verify.spheres.map.strip import BorderStrip
 FORMAT = "verify-map-log/1"
 #: What decides boxes: another number where a verdict, or its numbers, may be another one. The
 #: second one is for scenes that are free at the start.
-CODE, FREE_CODE = 2, 5
+CODE, FREE_CODE = 2, 6
 #: The level of the first boxes; the number of boxes of a chunk, a multiple of four.
 FIRST_LEVEL, CHUNK = 4, 2048
 #: No box is smaller than those of this level.

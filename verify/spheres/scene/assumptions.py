@@ -23,6 +23,15 @@ GLUE = {
         "that they are about, or from the start, there is no collapse any more, and that only "
         "finitely many collisions are possible, unless a triple or a grazing contact comes before."
     ),
+    "scene-momentum": (
+        "2. L belongs to the frame of the centre of mass. By the rows finite it is not 0, and r > "
+        "9-4√5, where the bound of glue-second of the classification exceeds 1: with its t³ = r, "
+        "2t(1+t) > 1+r just if t² - 3t + 1 < 0, and r² - 18r + 1 has the sign of that. So in every "
+        "collapse both relative velocities tend to 0, and all velocities in this frame. There L "
+        "is kept, by glue-impulse, and at most R e, which tends to 0 as positions converge: so "
+        "there is no collapse, and as L is not 0 only finitely many collisions are possible, by "
+        "glue-endless, unless a triple or a grazing contact comes before."
+    ),
     "scene-collapses": (
         "2. After the last collision s and o are in contact, ω_s = x_s and ω_c = x_c/|x_c|; by the "
         "row unit, which applies the flow, the numbers in the row collapse are those of this state "

@@ -20,18 +20,22 @@ from verify.spheres.flow.follow import Flow
 from verify.spheres.flow.law import EQUAL, Number, Sizes, State, inner, outer
 from verify.spheres.scene.scene import FIRST_FRAMES, Bodies, Frame
 
-INELASTIC, RECEDING, TURNING = "restitution", "receding", "turning"
+INELASTIC, RECEDING, TURNING, MOMENTUM = "restitution", "receding", "turning", "momentum"
 #: What each criterion says, in words; and for spheres of which some are not equal.
 SAYS_OF_UNEQUAL = {
     INELASTIC: "r > 7 - 4√3: three spheres of one mass with this r never collapse",
     RECEDING: "A >= 0 and R² = Σ m|x|² >= B: they recede as a whole; a collapse would need R² <= B",
     TURNING: "A²R² < (R² - B)L² and R² = Σ m|x|² >= B: with this angular momentum R² never falls "
     "to B, the most that it is in a collapse",
+    MOMENTUM: "r > 9 - 4√5 and L ≠ 0: in a collapse of three spheres of one mass with this r the "
+    "angular momentum is 0",
 }
 SAYS = {
     INELASTIC: "r > 7 - 4√3: three equal spheres with this r never collapse",
     RECEDING: "A >= 0 and R² >= 2: the spheres recede as a whole; a collapse would need R² <= 2",
     TURNING: "A²R² < (R² - 2)L² and R² >= 2: with this angular momentum R² never falls to 2",
+    MOMENTUM: "r > 9 - 4√5 and L ≠ 0: in a collapse of three equal spheres with this r the angular "
+    "momentum is 0",
 }
 
 
@@ -117,6 +121,11 @@ def inelastic(r: Number) -> Number:
     return r**2 - 14 * r + 1
 
 
+def comes_to_rest(r: Number) -> Number:
+    """What is negative if r > 9 - 4√5, for r in ]0,1[."""
+    return r**2 - 18 * r + 1
+
+
 def turning(now: Whole | Spread) -> Number:
     """What is positive if the angular momentum keeps R² above 2, where R² >= 2 now."""
     most = now.touching if isinstance(now, Spread) else 2
@@ -137,21 +146,24 @@ def finitely_many(flow: Flow) -> Criterion | None:
     """A criterion that holds, if any."""
     if flow.scene.has_one_mass and inelastic(flow.r) < 0:
         return Criterion(INELASTIC, at_start=True)
-    name = _at(flow, FIRST_FRAMES[0], flow.start.state(FIRST_FRAMES[0], flow.keep))
+    first = _all_three(flow, FIRST_FRAMES[0], flow.start.state(FIRST_FRAMES[0], flow.keep))
+    name = _of_whole(first)
+    if name is None and flow.scene.has_one_mass and comes_to_rest(flow.r) < 0 and first.L2 > 0:
+        name = MOMENTUM
     if name is not None:
         return Criterion(name, at_start=True)
-    name = None if flow.now is None else _at(flow, flow.now.frame, flow.now.state)
+    now = flow.now
+    name = None if now is None else _of_whole(_all_three(flow, now.frame, now.state))
     return None if name is None else Criterion(name, at_start=False)
 
 
-def _at(flow: Flow, frame: Frame, state: State) -> str | None:
+def _all_three(flow: Flow, frame: Frame, state: State) -> Whole | Spread:
     bodies = flow.scene.bodies
-    if bodies is None:
-        now: Whole | Spread = whole(state)
-        most: Number = 2
-    else:
-        now = spread(state, frame, bodies, balls.exact)
-        most = now.touching
+    return whole(state) if bodies is None else spread(state, frame, bodies, balls.exact)
+
+
+def _of_whole(now: Whole | Spread) -> str | None:
+    most = now.touching if isinstance(now, Spread) else 2
     if not now.R2 >= most:
         return None
     if now.A >= 0:

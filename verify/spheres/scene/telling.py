@@ -26,7 +26,16 @@ from verify.spheres.flow.law import (
 )
 from verify.spheres.flow.spaces import LETTERS
 from verify.spheres.flow.theorem import NAME as FLOW
-from verify.spheres.scene.criteria import INELASTIC, RECEDING, SAYS, inelastic, turning, whole
+from verify.spheres.scene.criteria import (
+    INELASTIC,
+    MOMENTUM,
+    RECEDING,
+    SAYS,
+    comes_to_rest,
+    inelastic,
+    turning,
+    whole,
+)
 from verify.spheres.scene.scene import (
     FIRST_FRAMES,
     PAIRS,
@@ -228,12 +237,16 @@ class Telling:
         if self.state is None:
             self.begin(FIRST_FRAMES[0])
         now = whole(self._next())
+        if criterion == MOMENTUM:
+            for name, claim in (("rest", comes_to_rest(r) < 0), ("momentum", 0 < now.L2)):
+                self._finite(name, criterion, claim, "scene-momentum")
+            return
         self._finite("far", criterion, 2 <= now.R2)
         claim = 0 <= now.A if criterion == RECEDING else 0 < turning(now)
         self._finite(criterion, criterion, claim)
 
-    def _finite(self, name: str, criterion: str, claim: Claim) -> None:
-        self.row(f"finite.{name}", SAYS[criterion], claim, "scene", "scene-finite")
+    def _finite(self, name: str, criterion: str, claim: Claim, glue: str = "scene-finite") -> None:
+        self.row(f"finite.{name}", SAYS[criterion], claim, "scene", glue)
 
     def collapse(self, found: Numbers) -> None:
         """A theorem applies; when, and at which angle, the particles collapse."""

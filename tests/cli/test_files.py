@@ -40,6 +40,28 @@ def test_all_or_none(tmp_path: Path) -> None:
     assert [path.name for path in tmp_path.iterdir()] == ["b"]
 
 
+def test_what_is_no_regular_file_is_left_as_it_is(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")  # and a device such as /dev/null, where one may write into /dev
+    (tmp_path / "link").symlink_to("pipe")
+    for name in ("pipe", "link"):
+        for write in (
+            lambda name=name: files.test_folder("--csv", str(tmp_path), name),
+            lambda name=name: files.write_file("--csv", str(tmp_path / name), "new"),
+        ):
+            with pytest.raises(InputError, match=f"--csv: '.*{name}' is no regular file; name"):
+                write()
+    assert (tmp_path / "pipe").is_fifo()
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["link", "pipe"]
+
+
+def test_a_link_stays_and_its_file_is_written(tmp_path: Path) -> None:
+    (tmp_path / "old").write_text("old")
+    (tmp_path / "link").symlink_to("old")  # /dev/stdout, say, whose output goes into a file
+    files.write_file("--csv", str(tmp_path / "link"), "new")
+    assert (tmp_path / "link").is_symlink()
+    assert (tmp_path / "old").read_text() == "new"
+
+
 def test_a_tested_folder_is_left_as_it_was(tmp_path: Path) -> None:
     (tmp_path / "a").write_text("mine")
     files.test_folder("--out", str(tmp_path), "a", "cited/b")

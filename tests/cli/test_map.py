@@ -297,6 +297,27 @@ def test_ctrl_c_keeps_what_was_proved(tmp_path: Path) -> None:
         assert check_map.check_log(line for line, _ in zip(file, range(6), strict=False))
 
 
+def test_of_two_runs_with_one_folder_the_second_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Both wrote into one log, which was then refused; after a kill another run goes on."""
+    command = [*PLANE, "--jobs", "2", "--out", str(tmp_path / "out")]
+    log = tmp_path / "out" / "map.jsonl"
+    with subprocess.Popen(
+        [sys.executable, "-m", "verify", *command, "--undecided", "0.01%"], cwd=ROOT
+    ) as process:
+        limit = time.monotonic() + 60
+        while not log.exists() or log.read_bytes().count(b"\n") < 8:
+            assert time.monotonic() < limit
+            time.sleep(0.02)
+        assert main([*command, "--undecided", "10%"]) == 2
+        assert "another process is writing it" in capsys.readouterr().err
+        process.kill()
+    assert main([*command, "--undecided", "10%"]) == 0
+    with log.open("rb") as file:
+        assert check_map.check_log(iter(file))
+
+
 def test_a_log_that_is_a_pipe_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The line says why; it said None."""
     os.mkfifo(tmp_path / "map.jsonl")

@@ -109,12 +109,15 @@ class _Writing:
         return self
 
     def add(self, name: str, content: bytes) -> None:
-        """Write a file beside its place."""
+        """Write a file beside its place; where a link names the place, the link stays."""
         target = os.path.join(self._directory, name)
-        folder, last = os.path.split(target)
-        self._make(folder)
         if os.path.isdir(target):
             raise IsADirectoryError(EISDIR, os.strerror(EISDIR), target)
+        if os.path.exists(target) and not os.path.isfile(target):  # /dev/null, say, would be gone
+            raise InputError(f"{self._option}: {shown(target)} is no regular file; name another")
+        target = os.path.realpath(target)
+        folder, last = os.path.split(target)
+        self._make(folder)
         path = os.path.join(folder, f".{last}.{os.urandom(6).hex()}")
         self._temporary[path] = target
         with open(path, "xb") as file:

@@ -206,3 +206,12 @@ def test_the_angle_in_degrees_is_rounded_outward(
     neg_cos: tuple[Fraction, Fraction], says: str
 ) -> None:
     assert degrees(neg_cos).startswith(says)
+
+
+def test_a_pair_that_passes_close_by_parts() -> None:
+    """Of seed 270027: the gap is 10⁻²¹⁰ while the balls fly for 75; no precision was enough."""
+    left = "-1.8041741000003"
+    places = ((0, 0), ("1.8041741", "0.05624225"), (left, "0.05624225"))
+    speeds = ((0, 0), ("-0.70786626", 0), ("0.70786626", 0))
+    found = decide_scene(scene("0.057553277", places, speeds))
+    assert (found.verdict, found.collisions) == (DISPERSES, 243)

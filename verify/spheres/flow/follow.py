@@ -40,6 +40,8 @@ from verify.spheres.scene.scene import (
 COLLIDE, RECENTRE, DRIFT = "collide", "recentre", "drift"
 #: How often one flight may be cut where two spheres pass each other.
 MAX_CUTS = 6
+#: Where p² is by this factor below m g, a pair is all but where it is nearest.
+NEAREST = 1 << 40
 #: Times that differ by such a share count as a tie in messages.
 SAME = 1e-9
 GRAZE = "may graze or miss"
@@ -249,14 +251,15 @@ def stays_apart(pair: Pair, time: Number) -> bool:
 
 
 def passing(state: State, way: Flight, sizes: Sizes) -> Fraction | None:
-    """The time at which another pair is nearest, if it passes by before o and c meet."""
+    """The time at which another pair is nearest, or just after, if it passes before o, c meet."""
     time = way.y * way.T
     _, spectator = inner(state)
     times = []
     for pair in (spectator, outer(state, sizes)):
         g, p, m = pair
         if g + p * time < 0 and never_meets(pair) and m > 0:
-            times.append(balls.short_rational(-p / m))
+            beyond = 2 if NEAREST * p * p < m * g else 1  # so that it parts, however short t is
+            times.append(balls.short_rational(-beyond * p / m))
     return min(times, default=None)
 
 

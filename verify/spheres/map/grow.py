@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
+from errno import EACCES, EAGAIN
 from fractions import Fraction
 from functools import partial
 from typing import BinaryIO
@@ -132,11 +133,15 @@ def grow(
 def open_log(path: str, progress: Progress) -> BinaryIO:
     """A log to append to: what it has already is taken over, and a line cut short is dropped.
 
+    As long as it is open, no other process can open it here.
+
     Raises:
         LogMismatchError: if it is not the beginning of this map.
+        BlockingIOError: if another process has opened it here.
     """
     with ExitStack() as stack:
         file = stack.enter_context(open(path, "a+b"))
+        _lock(file)
         file.seek(0)
         size = progress.resume(iter(file))
         file.truncate(size)
@@ -144,6 +149,17 @@ def open_log(path: str, progress: Progress) -> BinaryIO:
             write_line(file, progress.header)
         stack.pop_all()  # it stays open
     return file
+
+
+def _lock(file: BinaryIO) -> None:
+    """Afterwards the file is this process's until it ends; the workers do not inherit it."""
+    import fcntl  # loaded only where it is used
+
+    try:
+        fcntl.lockf(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError as error:
+        if error.errno in (EACCES, EAGAIN):  # otherwise the file system has no locks
+            raise BlockingIOError(EAGAIN, "another process is writing it") from error
 
 
 def write_line(file: BinaryIO, line: bytes) -> None:

@@ -1546,7 +1546,7 @@ def _strip(found: dict[str, Any]) -> Strip:
     half = (phi.x[1] - phi.x[0]) / len(curve) / 2
     for c_0, c_1, c_2 in coefficients:
         spread = abs(c_1) * half + abs(c_2) * half**2 + delta
-        if not 0 < delta < spread < c_0 < phi.y[1] - spread or phi.y[0] != 0:
+        if not (0 < delta <= spread < c_0 < phi.y[1] - spread and phi.y[0] == 0):
             raise LogError("expected a curve between 0 and the top")
     return Strip(phi, delta, coefficients, *bands)
 

@@ -115,7 +115,8 @@ STRIP = {
         (["19/10", "-1/2", "0"], False),
         (["111/100", "1/4", "-1/8"], True),
         (["11/10", "1/4", "1/8"], False),
-        (["1/2", "0", "0"], False),
+        (["1/2", "0", "0"], True),
+        (["1/10", "0", "0"], False),
     ],
 )
 def test_a_curve_lies_between_0_and_the_top(row: list[str], good: bool) -> None:

@@ -112,6 +112,17 @@ def test_a_strip(
     assert capsys.readouterr().err.startswith("verify: --strip: no border")
 
 
+@pytest.mark.parametrize(("r", "where"), [("0.05", "1/100..0.332"), ("0.07", "another")])
+def test_a_strip_where_there_is_no_border(
+    r: str, where: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Above 9-4√5 there is none at all; below it, an interval is proposed."""
+    assert main(["map", "phi", "--r", r, "--strip", "1e-4"]) == 2
+    assert f"; write --x {where}" in capsys.readouterr().err.replace(
+        "write another", "write --x another"
+    )
+
+
 def test_a_spent_budget(capsys: pytest.CaptureFixture[str]) -> None:
     assert main([*PLANE, "--undecided", "0.1%", "--boxes", "300"]) == 3
     printed = capsys.readouterr().out

@@ -172,6 +172,10 @@ def _saddle(plane: Plane | BorderStrip) -> Saddle | None:
     return saddle(phi) if isinstance(phi, Phi) else None
 
 
+#: The φ1 that is proposed for a strip is a multiple of this.
+PARTS = Fraction(1, 1000)
+
+
 def _delta(options: Options) -> Fraction | None:
     if options.strip is None:
         return None
@@ -190,11 +194,17 @@ def _strip(plane: Plane, delta: Fraction) -> BorderStrip:
         raise InputError("--strip: φ2 has to begin at 0")
     level = STRIP_LEVEL + (delta < FINE) + (delta < FINER)
     strip = strip_along(plane, delta, level, BANDS_BELOW << level - STRIP_LEVEL)
-    half = (plane.x[1] - plane.x[0]) / len(strip.curve) / 2
-    for c_0, c_1, c_2 in strip.curve:
-        spread = abs(c_1) * half + abs(c_2) * half**2 + delta
+    width = (plane.x[1] - plane.x[0]) / len(strip.curve)
+    for part, (c_0, c_1, c_2) in enumerate(strip.curve):
+        spread = abs(c_1) * width / 2 + abs(c_2) * width**2 / 4 + delta
         if not spread < c_0 < plane.y[1] - spread:
-            raise InputError("--strip: no border in the whole interval of φ1; write another --x")
+            end = (plane.x[0] + width * (part - 1)) // PARTS * PARTS
+            is_some = plane.x[0] < end
+            there = f"--x {plane.x[0]}..{float(end)}" if is_some else "another --x"
+            raise InputError(
+                "--strip: no border so far from the axis in the whole interval of φ1; write "
+                f"{there} or a smaller DELTA"
+            )
     return strip
 
 

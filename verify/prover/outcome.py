@@ -134,8 +134,8 @@ class Outcome(Record):
     """A statement in which every obligation has a decision.
 
     What was judged of another claim than the row's is judged by nobody. ``steps`` are those of the
-    certificate, in order; ``enclosures`` has each parameter and each constant without variables;
-    ``spent`` says what precision or work did not suffice for.
+    certificate, in order; ``enclosures`` has parameters and constants without variables, for
+    readers; ``spent`` says what precision or work did not suffice for.
     """
 
     statement: Statement

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
+from itertools import pairwise
 
 import pytest
 
@@ -11,9 +12,10 @@ from verify import check
 from verify.language.statement import PROVED, Applies
 from verify.language.terms import as_term
 from verify.paper.commands.scene import decide_line, scene_outcome
+from verify.prover import balls
 from verify.spheres.flow.line import is_on_a_line
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, decide_scene
-from verify.spheres.scene.scene import Scene
+from verify.spheres.scene.scene import Bodies, Scene
 from verify.wire.judge import report_on
 from verify.wire.write import digest, write
 
@@ -115,3 +117,56 @@ def test_the_certificate_is_accepted_and_a_lie_is_not() -> None:
 
 def test_the_theorem_is_proved() -> None:
     assert decide_line().verdict == PROVED
+
+
+def exact_collisions(scene: Scene, most: int) -> tuple[list[Fraction], bool]:
+    """The times of collisions on a line by exact numbers, for any masses and radii; do they end?"""
+    bodies = scene.bodies
+    assert bodies is not None
+    m, radii = bodies.masses, bodies.radii
+    x, v = [row[0] for row in scene.positions], [row[0] for row in scene.velocities]
+    order, now, times = sorted(range(3), key=lambda i: x[i]), Fraction(0), []
+    while len(times) < most:
+        flights = [
+            ((x[j] - x[i] - radii[i] - radii[j]) / (v[i] - v[j]), i, j)
+            for i, j in pairwise(order)
+            if v[i] > v[j]
+        ]
+        if not flights:
+            return times, True
+        time, i, j = min(flights)
+        x, now = [a + time * b for a, b in zip(x, v, strict=True)], now + time
+        push = (1 + scene.r) * (v[i] - v[j]) / (m[i] + m[j])
+        v[i], v[j] = v[i] - push * m[j], v[j] + push * m[i]
+        times.append(now)
+    return times, False
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_masses_on_a_line(seed: int) -> None:
+    """The threshold is 4r = (1+r)²/((1 + m_o/m_s)(1 + m_o/m_c)); exact numbers never disagree."""
+    choice = random.Random(f"masses-on-a-line-{seed}")
+    m = [Fraction(choice.randrange(1, 200), choice.randrange(1, 20)) for _ in range(3)]
+    radii = [Fraction(choice.randrange(3, 8), 10) for _ in range(3)]
+    share = float(1 / ((1 + m[0] / m[1]) * (1 + m[0] / m[2])))
+    r = Fraction(choice.randrange(1, 1000), 1000)
+    if choice.random() < 0.5:  # near the threshold, where share r² + 2(share - 2) r + share = 0
+        root = (2 - share - 2 * (1 - share) ** 0.5) / share
+        r = Fraction(int(root * choice.choice([0.9, 0.99, 1.02, 1.1]) * 10**6) + 1, 10**6)
+    x = [0, radii[0] + radii[1] + choice.randrange(1, 9), -radii[0] - radii[2] - Fraction(98, 97)]
+    v = [
+        Fraction(choice.randrange(-9, 10), 30),
+        Fraction(-choice.randrange(1, 20), 10),
+        Fraction(1),
+    ]
+    places, speeds = ((Fraction(a),) for a in x), ((Fraction(a),) for a in v)
+    scene = Scene(r, tuple(places), tuple(speeds), bodies=Bodies(tuple(m), tuple(radii)))
+    found = decide_scene(scene)
+    times, is_end = exact_collisions(scene, 60 if found.collapse else found.collisions + 1)
+    if found.collapse is None:
+        assert (found.verdict, is_end, len(times)) == (DISPERSES, True, found.collisions)
+        return
+    assert (found.verdict, is_end) == (COLLAPSES, False)
+    assert 4 * r < (1 + r) ** 2 / ((1 + m[0] / m[1]) * (1 + m[0] / m[2]))
+    low, high = (balls.ends(balls.as_ball(end)) for end in found.collapse.time)
+    assert low[0] <= times[found.collisions - 1] <= times[-1] <= high[1]

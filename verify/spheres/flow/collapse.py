@@ -119,35 +119,40 @@ def find_collapse(r: Fraction, state: State, time: Number) -> Collapse | None:
 
 
 def find_line_collapse(
-    r: Fraction, state: State, time: Number, sizes: Sizes = EQUAL
+    r: Fraction, state: State, time: Number, sizes: Sizes, other: Sizes
 ) -> Collapse | None:
-    """Why spheres on a line collapse; None if balls do not show it. Their masses are equal."""
+    """Why spheres on a line collapse; None if balls do not show it.
+
+    The sizes are those of o, s and c, and the other ones with s and c exchanged.
+    """
     if not (state.lam > 0 and state.C > 0):
         return None
-    start, half = start_of(state, sizes), (1 + r) / 2
+    start = start_of(state, sizes)
+    b, b_s = (balls.as_fraction((1 + balls.exact(r)) / of.ratio) for of in (sizes, other))
     if not (start.y > 0 and start.eta_s > 0 and start.d > 0):
         return None
-    least = _fixed_point(half, r)
+    least = _fixed_point(r / (b * b_s))
     if least is None:
         return None
-    q = start.eta_s / start.y
+    q = start.eta_s / (balls.exact(b) * start.y)
     Q = max(balls.as_fraction(short_above(q)), least)
-    if not (2 * Q < half and r <= Q * (half - Q) and start.eta_s <= balls.exact(Q) * start.y):
+    is_below = start.eta_s <= balls.exact(Q * b) * start.y
+    if not (2 * Q < 1 and r <= b * b_s * Q * (1 - Q) and is_below):
         return None
-    E = balls.exact((half - Q) / (half - 2 * Q))
+    E = balls.exact((1 - Q) / (1 - 2 * Q))
     reach = 1 if sizes is EQUAL else balls.any_root(sizes.c)
     later = E * (start.d * reach / start.y)
     return Collapse({"Q": balls.exact(Q), "E": E}, start, (time, time + later))
 
 
-def _fixed_point(half: Fraction, r: Fraction) -> Fraction | None:
-    """A rational number just above the smaller root of Q(half - Q) = r; None without two roots."""
-    discriminant = half**2 - 4 * r
+def _fixed_point(r: Fraction) -> Fraction | None:
+    """A rational number just above the smaller root of Q(1 - Q) = r; None without two roots."""
+    discriminant = 1 - 4 * r
     for places in ROOT_PLACES:
         scale = 10**places
         root = math.isqrt(max(0, math.floor(discriminant * scale**2)))
         if root:
-            return (half - Fraction(root, scale)) / 2
+            return (1 - Fraction(root, scale)) / 2
     return None
 
 

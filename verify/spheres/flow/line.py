@@ -1,9 +1,10 @@
-"""Three spheres of one mass on a line: the ratio of two speeds is all, and loses no digits.
+"""Three spheres on a line: the ratio of two speeds is all, and loses no digits.
 
 While the middle sphere o meets s and c in turn, let q be the speed at which it parts from the one
 that it just met, in units of the speed at which it approaches the other. On a line a pair that
-approaches meets, and the outer two never do. The next collision leaves the speeds r and
-(1+r)/2 - q in the same unit: so another one follows just if q < (1+r)/2, with r/((1+r)/2 - q).
+approaches meets, and the outer two never do. The next collision leaves the speeds r and b - q in
+the same unit, where b is (1+r)/(1 + m_o/m) for the mass m of the other: so another one follows
+just if q < b, with r/(b - q). For equal masses b is (1+r)/2.
 """
 
 from __future__ import annotations
@@ -47,29 +48,29 @@ def follow_line(flow: Flow, most: int) -> LineRun | None:
     if not flow.collisions or not is_on_a_line(flow.scene):
         return None
     first = flow.collisions[0].after
-    state, sizes = first.state, flow.sizes(first.frame)
+    state, (o, s, c) = first.state, first.frame
     if state.C < 0:
-        o, s, c = first.frame
-        state, sizes = recentred(state, sizes=sizes), flow.sizes((s, o, c))
+        state, (o, s, c) = recentred(state, sizes=flow.sizes(first.frame)), (s, o, c)
     if not state.C > 0:
         return None
     if state.lam <= 0:
         return LineRun(1, ends=True)
     if not state.lam > 0:
         return None
-    half = (1 + flow.r) / 2
+    sizes = flow.sizes((o, s, c))
+    shares = [(1 + flow.r) / of.ratio for of in (sizes, flow.sizes((o, c, s)))]
     reach = balls.any_root(sizes.c + state.eps * state.v**2)
     near = 1 if sizes is EQUAL else balls.any_root(sizes.s)
-    q, count = state.rho / state.lam * reach / near, 1
+    q, before, count = state.rho / state.lam * reach / near, None, 1
     while count < most:
         count += 1
-        rest = half - q
+        rest = shares[count % 2] - q
         if rest <= 0:
             return LineRun(count, ends=True)
         if not rest > 0:
             return None
         new = balls.shortened(flow.r / rest, flow.bits)
-        if balls.is_same(new, q):
+        if balls.is_same(new, before):
             return LineRun(count, ends=False, repeats=True)
-        q = new
+        q, before = new, q
     return LineRun(count, ends=False)

@@ -85,13 +85,13 @@ def decide_scene(scene: Scene, budget: Budget = Budget()) -> Fate:  # noqa: B008
 def on_a_line(found: Fate, budget: Budget) -> Fate | None:
     """More about spheres on a line, where the flow itself has become unclear."""
     with balls.precision(found.flow.bits):
-        is_open = found.collapse is None and found.flow.scene.has_one_mass
+        is_open = found.collapse is None
         line = follow_line(found.flow, budget.collisions) if is_open else None
         criterion = None if line is None else finitely_many(found.flow)
     if line is None:
         return None
     if line.repeats:
-        reason = "on this line collisions go on for ever, with one and the same ratio of speeds"
+        reason = "on this line collisions go on for ever, with the same ratios of speeds"
         return found._replace(reason=reason, why=FOR_EVER)
     if line.collisions <= found.collisions:
         return None
@@ -141,7 +141,7 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
 def spent(scene: Scene, budget: Budget) -> str:
     """Why there is no verdict after so many collisions."""
     found = f"budget: {budget.collisions} collisions were followed, as --collisions says"
-    if scene.bodies is None:
+    if scene.bodies is None or is_on_a_line(scene):
         return found
     what = "radii" if scene.has_one_mass else "masses"
     return f"{found}; the theorems on collapses are about equal {what}"
@@ -155,12 +155,14 @@ def told_event(event: Event) -> str:
 def find_end(flow: Flow) -> Collapse | None:
     """Why the spheres collapse, as the moment after the last collision shows it."""
     now, r = flow.now, flow.scene.r
-    if now is None or not flow.scene.has_one_mass:  # the theorems are about equal masses
+    if now is None:
         return None
     if flow.is_on_a_line is None:
         flow.is_on_a_line = is_on_a_line(flow.scene)
     if flow.is_on_a_line:
-        return find_line_collapse(r, now.state, now.time, flow.sizes(now.frame))
+        o, s, c = now.frame
+        sizes, other = flow.sizes(now.frame), flow.sizes((o, c, s))
+        return find_line_collapse(r, now.state, now.time, sizes, other)
     if flow.scene.bodies is not None:  # the others are about diameters that are 1
         return None
     found = find_collapse(r, now.state, now.time)

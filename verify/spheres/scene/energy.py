@@ -68,7 +68,7 @@ def energy_lost(found: Fate) -> tuple[Fraction, Fraction]:
 def _is_bounded(found: Fate) -> bool:
     """Whether all collisions were followed, or a theorem bounds the speeds of the others."""
     if found.collapse is not None:
-        return found.collapse.theorem in (LINE, SHARPER)
+        return found.flow.scene.has_one_mass and found.collapse.theorem in (LINE, SHARPER)
     return found.verdict == DISPERSES and found.line is None
 
 

@@ -334,6 +334,7 @@ class Telling:
         self.row("between", says, 0 < as_term(unit.cosine))
         first = self.keep("first", as_term(unit.distance) / as_term(unit.closing))
         numbers = {"r": r, **value, "y": unit.closing, "eta": unit.parting, "T": first}
+        numbers |= dict.fromkeys(("b", "b_s"), (1 + r) / 2)
         self._applies(LINE_START, _of("start", numbers), "scene-on-a-line")
         return as_term(value["E"]) * first
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 import re
 import subprocess
 import sys
@@ -22,6 +23,7 @@ from verify import check
 from verify.cli import main, scene_folder
 from verify.cli.scene_folder import decide_file
 from verify.cli.unfinished import NAME
+from verify.views.plots import distributions
 from verify.views.plots.approach import counted
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -704,7 +706,14 @@ def test_a_sample_of_some_parameters(tmp_path: Path, capsys: pytest.CaptureFixtu
         (("--at", "q=1"), "write NAME=A once for each of h, r, v"),
         (("--sample", "0"), "--sample: "),
         (("--sample", "5", "--confidence", "100%"), "--confidence: '100%' is not in ]0,1["),
-        (("--sample", "5", "--plot", "a.svg"), "--plot: leave it out with --sample"),
+        (
+            ("--sample", "5", "--plot", "a.html"),
+            "'a.html': a sample is drawn as .svg; write FILE.svg",
+        ),
+        (
+            ("--sample", "5", "--plot", "a.png"),
+            "'a.png': a sample is drawn as .svg; write FILE.svg",
+        ),
     ],
 )
 def test_a_family_needs_a_point_or_a_sample(
@@ -713,6 +722,120 @@ def test_a_family_needs_a_point_or_a_sample(
     code, out, err = run(capsys, written(tmp_path, FAMILY), *words)
     assert (code, out, err.count("\n")) == (2, "", 1)
     assert why in err
+
+
+def drawn(path: Path) -> tuple[str, list[tuple[list[str], list[str]]]]:
+    """What stands above the histograms of a sample; their words, and those at their bars."""
+    root = ElementTree.parse(path).getroot()
+
+    def words(item: ElementTree.Element) -> list[str]:
+        return ["".join(one.itertext()) for one in item if one.tag.endswith("text")]
+
+    panels = []
+    for panel in (item for item in root if "transform" in item.attrib):
+        counts = [one.text for one in panel if "paint-order" in one.attrib]
+        panels.append((words(panel), [text or "" for text in counts]))
+    return " ".join(words(root)), panels
+
+
+def test_a_sample_is_drawn_as_histograms(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The number at each bar is that of the scenes in the table."""
+    text = FAMILY.replace("0.01..0.1", "0.04..0.06") + 'h_2 = "-0.3..0.3"\n'
+    text = 'title = "A & B"\ntime_unit = "ms"\n' + text.replace('-1.006, "h"', '-1.006, "h_2"')
+    path, table, plot = written(tmp_path, text), tmp_path / "a.csv", tmp_path / "a.svg"
+    command = (path, "--sample", 60, "--collisions", 30)
+    assert run(capsys, *command, "--csv", table, "--plot", plot)[0] == 0
+    assert run(capsys, *command, "--jobs", 2, "--plot", tmp_path / "b.svg")[0] == 0
+    assert (tmp_path / "b.svg").read_bytes() == plot.read_bytes()
+    with table.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    of = {
+        verdict: [row for row in rows if row["verdict"] == verdict]
+        for verdict in ("collapses", "disperses", "finite", "undecided")
+    }
+    assert all(of.values())
+    share = json.loads(run(capsys, *command, "--json")[1])["shares"]["infinitely_many"]
+    heading, panels = drawn(plot)
+    assert heading.startswith("A & B 60 random points, seed 1; ")
+    count = len(of["collapses"])
+    assert f"collapses: {count} of 60, {count / 0.6:.3f} % infinitely many" in heading
+    assert f"infinitely many collisions: [{', '.join(share)}], share of the family" in heading
+    missing = f"{len(of['undecided'])} undecided, {len(of['finite'])} with finitely many collisions"
+    assert f"not drawn: {missing}, not counted times and angles are" in heading
+    (words, counts), times, angles = panels
+    assert {"number of collisions", "disperses: all its collisions"} <= set(words)
+    assert "collapses: collisions until it is certain" in words
+    bars = [word.split("–") for word in words if re.fullmatch("[0-9]+–[0-9]+", word)]
+    assert bars
+    known = [
+        sum(int(low) <= int(row["collisions_certain"]) <= int(high) for row in of[verdict])
+        for verdict in ("collapses", "disperses")
+        for low, high in bars
+    ]
+    assert counts == [str(n) for n in known if n]
+    assert sum(known) == len(of["collapses"]) + len(of["disperses"])
+    assert "collapse time (ms)" in times[0]
+    assert "final angle θ (degrees)" in angles[0]
+
+    def angle(row: dict[str, str], end: str) -> float:
+        return math.degrees(math.acos(-min(float(row[f"neg_cos_{end}"]), 1)))
+
+    middles = (
+        [(float(row["time_low"]) + float(row["time_high"])) / 2 for row in of["collapses"]],
+        [(angle(row, "low") + angle(row, "high")) / 2 for row in of["collapses"]],
+    )
+    for values, (words, counts) in zip(middles, (times, angles), strict=True):
+        # Each second edge has a mark; those of the other axis follow, and begin at 0.
+        first, second, *_ = map(float, words[: words.index("0")])
+        found = Counter(math.floor(2 * (value - first) / (second - first)) for value in values)
+        assert counts == [str(found[k]) for k in sorted(found)]
+
+
+def test_histograms_of_hardly_anything(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = FAMILY.replace("0.01..0.1", "0.01..0.03")
+    path, plot = written(tmp_path, text), tmp_path / "a.svg"
+
+    def histograms(*more: object) -> tuple[str, list[tuple[list[str], list[str]]]]:
+        assert run(capsys, path, "--plot", plot, *more)[0] == 0
+        return drawn(plot)
+
+    one = histograms("--sample", 1, "--digits", 3)[1]
+    assert [counts for _, counts in one] == [["1"]] * 3
+    assert [len(words[: words.index("0")]) for words, _ in one] == [1] * 3
+    assert "collapses: collisions until its time has 3 digits" in one[0][0]
+    heading, panels = histograms("--sample", 7, "--collisions", 0)
+    assert "not drawn: 7 undecided" in heading
+    title = "number of scenes, by number of collisions"
+    assert panels == [([title, "no scene to draw"], ["no scene to draw"])]
+
+
+def test_histograms_without_a_collapse(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = FAMILY.replace("0.01..0.1", "0.2..0.3").replace("[-1.4, 0]", "[1.4, 0]")
+    path, plot = written(tmp_path, text), tmp_path / "a.svg"
+    assert run(capsys, path, "--sample", 7, "--plot", plot)[0] == 0
+    heading, [(words, counts)] = drawn(plot)
+    assert "collapses: 0 of 7, 0.000 % " in heading
+    assert heading.endswith(" all are drawn: none is undecided")
+    assert sum(map(int, counts)) == 7
+    assert "disperses: all its collisions" in words
+
+
+def test_edges_of_histograms() -> None:
+    def edges(low: str, high: str, *, is_whole: bool = False) -> list[Fraction]:
+        return distributions.edges(Fraction(low), Fraction(high), is_whole=is_whole)
+
+    assert edges("0.011", "0.1054") == [Fraction(k, 100) for k in range(1, 12)]
+    assert edges("0", "3", is_whole=True) == [0, 1, 2, 3]
+    assert edges("0", "120", is_whole=True) == [0, 1, 2, 5, 10, 20, 50, 100, 200]
+    assert edges("3", "41", is_whole=True) == [*range(0, 50, 5)]
+    tiny = edges("2e-400", "1e-398")  # too small for floats
+    assert tiny == [Fraction(k, 10**399) for k in range(11)]
+    assert edges("3", "3e9") == [10**power for power in (0, 2, 4, 6, 8, 10)]
+    assert edges("180", "180") == [180, 180]
+    values, ends = ([*map(Fraction, given)] for given in ((0, 1, 4, 5), (0, 1, 5)))
+    assert distributions.counts_between(values, ends) == [1, 3]
 
 
 def test_a_collapse_is_drawn_from_collision_to_collision(

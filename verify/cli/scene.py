@@ -40,7 +40,7 @@ USAGE = Usage(
         **CERTIFICATE,
         "--csv FILE": "a table with a line for each scene: verdict, reason, enclosures",
         "--trajectory FILE": "a table of centres and velocities after each collision",
-        "--plot FILE": "draw the scene: a file .svg, or .html with an animation",
+        "--plot FILE": "draw it: .svg (a sample, too), .html with an animation",
     },
     {
         "collisions": "1000",

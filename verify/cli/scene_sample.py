@@ -10,6 +10,7 @@ from fractions import Fraction
 from functools import partial
 from itertools import product
 from math import prod
+from typing import Any
 
 from verify.cli.files import print_document, read_bytes, write_file
 from verify.cli.options import Options, leave_out
@@ -105,8 +106,12 @@ def _decimal(text: str) -> str:
 
 def run_sample(options: Options, limits: Budget, jobs: int) -> int:
     """Decide random points of a family, and print how many there are of each kind."""
-    others = ("plot", "verbose", "trajectory", "out", "grid")
+    others = ("verbose", "trajectory", "out", "grid")
     leave_out(options, others, "leave it out with --sample")
+    if options.plot is not None and not options.plot.endswith(".svg"):
+        raise InputError(
+            f"--plot: {shown(options.plot)}: a sample is drawn as .svg; write FILE.svg"
+        )
     count = integer("--sample", options.sample, 1, MAX_SAMPLE)
     seed = integer("--seed", options.seed, 0, MAX_SEED)
     level = _confidence(options.confidence)
@@ -121,6 +126,12 @@ def run_sample(options: Options, limits: Budget, jobs: int) -> int:
     if options.csv is not None:
         write_file("--csv", options.csv, csv_text([(*_heads(family), *COLUMNS), *rows]))
     document = _document(family, rows, seed, left_out, level)
+    if options.plot is not None:
+        from verify.views.plots.distributions import sample_svg  # loaded only where it is used
+
+        skip = len(_heads(family))
+        named = [dict(zip(COLUMNS, row[skip:], strict=True)) for row in rows]
+        write_file("--plot", options.plot, sample_svg(document, named, limits.digits))
     if options.json:
         print_document(document)
     else:
@@ -151,7 +162,7 @@ def _heads(family: Family) -> Cells:
 
 def _document(
     family: Family, rows: list[Cells], seed: int, left_out: int, level: Fraction
-) -> dict[str, object]:
+) -> dict[str, Any]:
     """What is found; shares with their intervals."""
     skip = len(_heads(family))
     counts = Counter((row[skip + 1], row[skip + 2]) for row in rows)

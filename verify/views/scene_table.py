@@ -131,6 +131,14 @@ def sample_document(
 
 def sample_lines(document: Mapping[str, Any]) -> Iterator[str]:
     """A sample for a reader."""
+    yield from drawn_lines(document)
+    counts = {(one["verdict"], one["reason"]): one["count"] for one in document["counts"]}
+    yield from _count_lines(counts)
+    yield from share_lines(document)
+
+
+def drawn_lines(document: Mapping[str, Any]) -> Iterator[str]:
+    """Which points were drawn."""
     drawn = f"{document['sample']} random points, seed {document['seed']}"
     yield f"{drawn}; uniform and independent are"
     for name, ends in document["parameters"].items():
@@ -138,8 +146,10 @@ def sample_lines(document: Mapping[str, Any]) -> Iterator[str]:
         yield f"  {name} in [{low}, {high}]" if low != high else f"  {name} = {low}"
     if document["left_out"]:
         yield f"{document['left_out']} more were left out: particles overlap there"
-    counts = {(one["verdict"], one["reason"]): one["count"] for one in document["counts"]}
-    yield from _count_lines(counts)
+
+
+def share_lines(document: Mapping[str, Any]) -> Iterator[str]:
+    """Between what the shares lie, that of collapses first."""
     level = exact_number(100 * Fraction(document["confidence"]))
     yield f"share of the family, with a confidence of at least {level} % (Clopper-Pearson),"
     yield "where what is undecided counts as both:"

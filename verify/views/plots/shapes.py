@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import ceil, floor, log10
 
 from verify.language.record import Record
-from verify.prover.decimals import exact_number
+from verify.prover.decimals import decimal_exponent, exact_number
 
 Corners = tuple[float, float, float, float]
 Point = tuple[float, float]
@@ -166,7 +166,7 @@ def marks(*texts: str) -> list[tuple[float, str]]:
 
 
 #: How far round marks are apart, in powers of ten.
-STEPS = (Fraction(2), Fraction(1), Fraction(1, 2), Fraction(1, 5))
+STEPS = (Fraction(2), Fraction(1), Fraction(1, 2), Fraction(1, 5), Fraction(1, 10))
 #: Marks are decimals, however many digits they have; on axes only if they have so few letters.
 MANY, LONG = 60, 7
 
@@ -177,24 +177,31 @@ def round_marks(low: Fraction, high: Fraction, steps: int = 3) -> list[tuple[flo
 
 
 def _multiples(low: Fraction, high: Fraction, steps: int) -> list[Fraction]:
-    unit = Fraction(10) ** floor(log10(high - low))
-    step = next(unit * part for part in STEPS if unit * part * steps <= high - low)
+    step = round_step(low, high, steps)
     return [k * step for k in range(ceil(low / step), floor(high / step) + 1)]
 
 
-def axis_of(name: str, low: Fraction, high: Fraction) -> tuple[str, list[tuple[float, str]]]:
-    """What an axis is called, and some four steps of round marks: their shares of the way.
+def round_step(low: Fraction, high: Fraction, steps: int) -> Fraction:
+    """1, 2 or 5 times a power of ten, so that there are so many steps of it, or more."""
+    unit = Fraction(10) ** decimal_exponent(high - low)
+    return next(unit * part for part in STEPS if unit * part * steps <= high - low)
+
+
+def axis_of(
+    name: str, low: Fraction, high: Fraction, steps: int = 4
+) -> tuple[str, list[tuple[float, str]]]:
+    """What an axis is called, and round marks, so many steps or more: their shares of the way.
 
     Where marks are long, they say by how much, in a power of ten, they differ from one number.
     """
-    marks = _multiples(low, high, 4)
+    marks = _multiples(low, high, steps)
     base, unit = Fraction(0), 0
     if max(len(exact_number(at, MANY)) for at in marks) > LONG:
         most = max(map(abs, marks))
         if most > 1000 * (marks[1] - marks[0]):
             base = marks[0]
             most = marks[-1] - base
-        unit = floor(log10(most))
+        unit = decimal_exponent(most)
         added = f"{exact_number(base, MANY)} + " if base else ""
         name = f"{name} = {added}mark × {ten(unit)}"
     texts = [exact_number((at - base) / Fraction(10) ** unit, MANY) for at in marks]
@@ -205,10 +212,15 @@ def axis_of(name: str, low: Fraction, high: Fraction) -> tuple[str, list[tuple[f
 
 def logarithmic_marks(low: float, high: float) -> list[tuple[float, str]]:
     """Marks at 1, 2 and 5 times powers of ten; or at some of the powers, if they are many."""
-    first, last = floor(log10(low)), ceil(log10(high))
-    factors, step = ((1, 2, 5), 1) if last - first <= 3 else ((1,), -(-(last - first) // 8))
-    marks = [k * Fraction(10) ** power for power in range(first, last + 1, step) for k in factors]
+    marks = logarithmic_steps(Fraction(low), Fraction(high))
     return [(float(at), exact_number(at, MANY)) for at in marks if low <= at <= high]
+
+
+def logarithmic_steps(low: Fraction, high: Fraction) -> list[Fraction]:
+    """Such numbers, from one that is at most ``low`` to one that is at least ``high``."""
+    first, last = decimal_exponent(low), -decimal_exponent(1 / high)
+    factors, step = ((1, 2, 5), 1) if last - first <= 3 else ((1,), -(-(last - first) // 8))
+    return [k * Fraction(10) ** power for power in range(first, last + step, step) for k in factors]
 
 
 def round_below(most: float) -> float:

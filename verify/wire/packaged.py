@@ -69,8 +69,8 @@ PACKAGED_FILES = {
         "certificate.json": "a8a89c0d654ee10d935093008c06f9dc368db237fa56c46816deb8f0a043a38f",
     },
     "line": {
-        "statement.json": "09664db03596164c5321ce9bcc389c1d0589751d06d8b3c71a47c971b80a81d4",
-        "certificate.json": "5e78db425726347a163cc0c110ad87742095f92f97f8fada0ba3f0e3ddea5868",
+        "statement.json": "8240884d6bff9ab4d3d8c70114ee085dc1ef5ecbed7a8381895a083125bc43d6",
+        "certificate.json": "3f2568497398c41a31aa9b3ebfd4452a6a7fd3f7ae25c86389432d982e0a77ce",
     },
     AS_PRINTED: {
         "statement.json": "5c9a22d238e60320ab5e80a982eba34ca454f3ac39e3e63bc9f15dc32133b5d6",

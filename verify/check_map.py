@@ -21,6 +21,7 @@ that the log has for it. What it takes on trust, besides itself and Python:
 
 A scene in which two spheres just graze has the verdict that it gets whether this counts as a
 collision or not. Scenes in which all three touch at once, or overlap, at the start are not meant.
+That only finitely many collisions are possible is said unless all three touch at once later.
 
 The exit code is 0 if all is proved, 1 if a verdict is not, 4 if a log is malformed, 2 if a file
 cannot be read. Work is counted: a box, and a log without `--long`, is refused where it is too much.
@@ -1681,6 +1682,8 @@ def given(plane: Plane, areas: Areas) -> str:
     names = [f"certificates/{name}" for name in cites(plane, areas)]
     theorems = f"{', '.join(names[:-1])} and {names[-1]}"
     meant = "scenes with an overlap or a triple contact at the start are not meant"
+    if areas.finite:
+        meant += "; there are finitely many collisions unless three spheres touch at once later"
     return f"given the theorems of {theorems}; {meant}"
 
 

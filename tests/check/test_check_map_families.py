@@ -91,6 +91,19 @@ def test_runs_are_apart_where_something_is_undecided() -> None:
     )
 
 
+def test_finitely_many_collisions_are_said_unless_there_is_a_triple_contact() -> None:
+    """0 and 1 stay in contact, so that each of these scenes ends when 2 meets 0, undecided."""
+    plane = LINE | {
+        "r": "2/25", "positions": [["0", "0"], ["1", "0"], ["-3", "x"]],
+        "velocities": [["0", "0"], ["0", "0"], ["1", "0"]],
+    }  # fmt: skip
+    found, areas = checked(log_of(plane, 1, ("0 1", "ff", [])))
+    assert areas.finite == 1
+    unless = "finitely many collisions unless three spheres touch at once later"
+    assert unless in check_map.given(found, areas)
+    assert unless not in check_map.given(found, areas._replace(finite=F(0)))
+
+
 def test_a_rectangle_is_cut_in_four() -> None:
     """All boxes of this family are on a line; vx moves nothing."""
     plane = check_map.plane_of(PLANE)

@@ -524,6 +524,21 @@ def test_too_many_collisions_for_a_certificate(
     assert not (tmp_path / "out").exists()
 
 
+def test_too_few_bits_at_first_are_no_reason_to_give_up(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """515 collisions: with 80 bits the checker runs out of work, with 512 it does not."""
+    text = """r = "0.06588"
+positions = [["0", "0"], ["1.59", "0"], ["-1.4", "0"]]
+velocities = [["-0.11", "1e-60"], ["-0.29", "0"], ["1.85", "0"]]
+"""
+    code, out, err = run(capsys, written(tmp_path, text), "--out", tmp_path / "out")
+    assert code == 0
+    assert "no certificate" not in err
+    assert "disperses: after 515 collisions" in out
+    assert (tmp_path / "out" / "certificate.json").exists()
+
+
 def test_a_folder_keeps_the_verdict_without_a_certificate(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

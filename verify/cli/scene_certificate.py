@@ -34,6 +34,8 @@ def write_scene(
         try:
             write_certificate(option, directory, scene_outcome(found, bits), beside)
         except UnreadError:
+            if bits < found.flow.bits:  # too few bits can be more work than enough of them
+                continue
             if found.collisions <= SURELY_FEW:
                 raise
             return _too_many(found)

@@ -741,6 +741,22 @@ def test_an_angle_is_written_without_a_cosine(
         )
 
 
+def test_the_time_of_an_event_next_to_a_short_decimal_is_told_with_few_digits(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = """r = 0.05
+positions = [[0, 0], ["20.5", 1], ["-20.6", 0]]
+velocities = [[0, 0], [-500, 0], [400, 20]]
+"""
+    _, out, _ = run(capsys, written(tmp_path, text))
+    found = re.search(r"grazing: .*\[([0-9.]+), ([0-9.]+)\]", " ".join(out.split()))
+    assert found is not None
+    low, high = map(Fraction, found.groups())  # the exact time is 0.041
+    assert Fraction("0.041") - Fraction(1, 10**12) < low < Fraction("0.041") < high
+    assert high < Fraction("0.041") + Fraction(1, 10**12)
+    assert len(found[1]) < 16
+
+
 def test_a_row_of_the_table_of_collisions_is_one_line(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -115,6 +115,11 @@ BAD = {
     "comma": (GOOD.replace("0.03", "0,05"), "; write r = 0.05, with a decimal point"),
     "comma-in-a-list": (GOOD.replace("-1.006", "-1,006"), "; write -1.006, with a decimal point"),
     "no-quotes": (GOOD + "time_unit = s\n", '; write time_unit = "s", in quotes'),
+    "unit": (GOOD + "diameter = 0.02m # x\n", '; write diameter = "0.02m", in quotes'),
+    "interval": (GOOD.replace("0.03", "0.01..0.09"), '; write r = "0.01..0.09", in quotes'),
+    "parameter": (GOOD.replace("-1.006", "h"), '; write "h", in quotes'),
+    "term": (GOOD.replace("-1.006", "1, -2*h"), '; write "-2*h", in quotes'),
+    "not-odd": (GOOD.replace("-1.006", "1e1") + "[a] x\n", "; write r, positions, velocities"),
     "family": (GOOD.replace("0.03", '"0.01..0.09"'), "is a family of scenes; add --sample N, or "),
     "walls": (GOOD + "walls = 2\n", "'walls' is not part of the model: smooth spheres without"),
     "gravity": (GOOD + "gravity = 9.81\n", "'gravity' is not part of the model"),
@@ -128,7 +133,7 @@ BAD = {
         GOOD.replace("0.03", '"2.5 %"'),
         "'2.5 %' is not an exact number; write 0.025",
     ),
-    "unit": (
+    "a-unit": (
         GOOD.replace("-1.006", '"2 cm"'),
         "positions of particle 2: '2 cm' has a unit; write 2, with length_unit = \"cm\"",
     ),
@@ -719,6 +724,7 @@ def test_a_sample_of_some_parameters(tmp_path: Path, capsys: pytest.CaptureFixtu
         (("--at", "h=1"), "--at: r is missing"),
         (("--at", "h=1,h=2"), "write NAME=A once for each of h, r, v"),
         (("--at", "q=1"), "write NAME=A once for each of h, r, v"),
+        (("--at", "h=0,r=0.03,v=0", "--grid", "r=0.01..0.1:2"), "has no parameter without a value"),
         (("--sample", "0"), "--sample: "),
         (("--sample", "5", "--confidence", "100%"), "--confidence: '100%' is not in ]0,1["),
         (
@@ -851,6 +857,62 @@ def test_edges_of_histograms() -> None:
     assert edges("180", "180") == [180, 180]
     values, ends = ([*map(Fraction, given)] for given in ((0, 1, 4, 5), (0, 1, 5)))
     assert distributions.counts_between(values, ends) == [1, 3]
+
+
+@pytest.mark.parametrize("words", [("--at", "r=0.03"), ("--grid", "r=0.01..0.1:2")])
+def test_a_scene_without_parameters_says_how_to_write_one(
+    words: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code, _, err = run(capsys, written(tmp_path, GOOD), *words)
+    assert (code, 'write an interval there, like r = "0.02..0.06"' in err) == (2, True)
+
+
+def test_an_angle_is_written_without_a_cosine(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for term, is_angle in (("cos(h)", True), ("h//2", False)):
+        path = written(tmp_path, FAMILY.replace('"h"', f'"{term}"'))
+        code, _, err = run(capsys, path, "--sample", 1)
+        assert (code, "the tangent of a/2: its cosine is (1 - t**2)/(1 + t**2)" in err) == (
+            2,
+            is_angle,
+        )
+
+
+def test_the_time_of_an_event_next_to_a_short_decimal_is_told_with_few_digits(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = """r = 0.05
+positions = [[0, 0], ["20.5", 1], ["-20.6", 0]]
+velocities = [[0, 0], [-500, 0], [400, 20]]
+"""
+    _, out, _ = run(capsys, written(tmp_path, text))
+    found = re.search(r"grazing: .*\[([0-9.]+), ([0-9.]+)\]", " ".join(out.split()))
+    assert found is not None
+    low, high = map(Fraction, found.groups())  # the exact time is 0.041
+    assert Fraction("0.041") - Fraction(1, 10**12) < low < Fraction("0.041") < high
+    assert high < Fraction("0.041") + Fraction(1, 10**12)
+    assert len(found[1]) < 16
+
+
+def test_a_row_of_the_table_of_collisions_is_one_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = 'time_unit = "microseconds of the experiment"\n' + GOOD
+    _, out, _ = run(capsys, written(tmp_path, text), "-v", "--digits", 8)
+    rows = out.partition("\n\n")[0].splitlines()
+    assert len(rows[0]) > 80
+    assert [row.split()[0] for row in rows] == ["n", *map(str, range(1, len(rows)))]
+
+
+def test_a_line_of_a_grid_does_not_repeat_what_the_file_says(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = 'title = "Steel"\ndiameter = 1\nlength_unit = "mm"\n' + FAMILY
+    grid = ("--grid", "r=0.01..0.1:2", "--at", "h=0,v=0")
+    assert run(capsys, written(tmp_path, text), *grid) == run(
+        capsys, written(tmp_path, FAMILY), *grid
+    )
 
 
 def test_a_collapse_is_drawn_from_collision_to_collision(

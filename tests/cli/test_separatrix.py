@@ -7,7 +7,7 @@ import re
 import subprocess
 import sys
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, pairwise
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -178,7 +178,19 @@ def test_curves_for_several_r(capsys: pytest.CaptureFixture[str], tmp_path: Path
     assert "\n  0.06  no curve\n" in out
     assert "\n  0.09  no curve\n" in out
     assert "Verdict: proved: 3 of 3 values of r (judges: " in out
-    assert "r = 0.03<" in (tmp_path / "curves.svg").read_text(encoding="utf-8")
+    text = (tmp_path / "curves.svg").read_text(encoding="utf-8")
+    assert "r = 0.03<" in text
+    assert "no curve at r = 0.06, 0.09<" in text
+    run(capsys, f"--r 0.01..0.055 --steps 9 --plot {tmp_path}/nine.svg")
+    text = (tmp_path / "nine.svg").read_text(encoding="utf-8")
+    assert "r = 0.015625<" in text  # exact, not shortened
+    assert "no curve" not in text
+    strokes = re.findall(r'<path d="[^"]+" fill="none" (stroke="[^>]+)/>', text)
+    assert len(set(strokes)) == 9 + 1  # and the axes
+    dashes = [
+        re.sub('.*dasharray="|".*', "", s) if "dash" in s else "" for s in strokes if "1.4" in s
+    ]
+    assert all(one != next_one for one, next_one in pairwise(dashes))  # also without colours
     run(capsys, f"--r 0.01..0.05 --plot {tmp_path}/five.svg")
     text = (tmp_path / "five.svg").read_text(encoding="utf-8")
     places = re.findall(r'x="([\d.]+)" y="([\d.]+)"[^>]*>r = 0.0\d<', text)

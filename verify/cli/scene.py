@@ -10,7 +10,7 @@ from fractions import Fraction
 from verify.cli.files import print_document, read_bytes, test_folder, write_file
 from verify.cli.options import CERTIFICATE, COLOR, JSON, Options, Usage
 from verify.cli.steps import MAX_JOBS
-from verify.cli.terminal import show
+from verify.cli.terminal import FIXED, show
 from verify.spheres.scene.decide import MAX_DIGITS, Budget, Fate, decide_scene
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.scene_files import read_scene
@@ -171,4 +171,5 @@ def _text(found: Fate, judge: str, options: Options) -> list[str]:
     if not options.verbose:
         return lines
     unit = known.scene.labels.time_unit
-    return [*collision_table(steps(found), known.bits, unit), "", *lines]
+    table = collision_table(steps(found), known.bits, unit)
+    return [*(row.replace(" ", FIXED) for row in table), "", *lines]  # a row stays a line

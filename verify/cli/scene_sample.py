@@ -58,7 +58,7 @@ def family_of(options: Options, *, whole: bool = False) -> Family:
     family = read_family(options.scene, read_bytes("scene", options.scene))
     if options.at is None:
         return family
-    known = ", ".join(family.sides) or "none"
+    known = _parameters("--at", family)
     values = point_in("--at", options.at, f"each of {known}")
     odd = sorted(values.keys() - family.sides.keys())
     if odd:
@@ -70,6 +70,16 @@ def family_of(options: Options, *, whole: bool = False) -> Family:
         _test_inside("--at", family, name, value)
     sides = {name: side for name, side in family.sides.items() if name not in values}
     return family._replace(sides=sides, fixed=dict(sorted(values.items())))
+
+
+def _parameters(option: str, family: Family) -> str:
+    """The names of the parameters that have no value yet; an error if there are none."""
+    if not family.sides:
+        raise InputError(
+            f"{option}: {family.where} has no parameter without a value; write an interval there, "
+            'like r = "0.02..0.06", or others below [parameters]'
+        )
+    return ", ".join(family.sides)
 
 
 def _test_inside(option: str, family: Family, name: str, value: Fraction) -> None:
@@ -209,7 +219,7 @@ def run_grid(options: Options, limits: Budget, jobs: int) -> int:
 def _axes(text: str, family: Family) -> dict[str, list[Fraction]]:
     """The values of each parameter that is named: NAME=A..B:N is N of them, from A to B."""
     axes: dict[str, list[Fraction]] = {}
-    known = ", ".join(family.sides) or "none"
+    known = _parameters("--grid", family)
     for word in text.split(","):
         name, _, rest = word.partition("=")
         ends, sign, steps = rest.partition(":")
@@ -237,4 +247,6 @@ def _decide_point(
         row = unusable_cells(name, UNUSABLE)
         return 0, [f"{here}: particles overlap"], (*parameter_cells(values), *row)
     row = cells(name, found, FLINT)
-    return exit_code(found), [f"{here}:", *found.lines], (*parameter_cells(values), *row)
+    labels = found.scene.labels  # the title and the unit of length are the same at all points
+    lines = found.lines[bool(labels.title) : len(found.lines) - bool(labels.length_unit)]
+    return exit_code(found), [f"{here}:", *lines], (*parameter_cells(values), *row)

@@ -50,6 +50,13 @@ def test_all_outputs_tell_them(
     assert document["time_unit"] == "ms"
 
 
+def test_the_statement_of_a_certificate_tells_them_apart(path: Path, tmp_path: Path) -> None:
+    assert main(["scene", str(path), "--out", str(tmp_path / "proof")]) == 0
+    title = json.loads((tmp_path / "proof/statement.json").read_text(encoding="utf-8"))["title"]
+    assert title.startswith("Steel, run 12: collapses: particle")
+    assert title.endswith("]; lengths are in diameters, each 0.5 mm")
+
+
 def test_the_verdict_is_that_of_the_scene_without_them(
     path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -163,7 +163,7 @@ def statement_of(telling: Telling, found: Fate) -> Statement:
     used = {name for row in telling.rows for name in row.uses}
     return Statement(
         "scene",
-        " ".join(scene_lines(found._replace(reason=""))),
+        _in_one_line(found),
         telling.parameters,
         tuple(telling.constants),
         (),
@@ -171,6 +171,14 @@ def statement_of(telling: Telling, found: Fate) -> Statement:
         tuple(a for a in ASSUMPTIONS if a.name in used),
         tuple(cites(found)),
     )
+
+
+def _in_one_line(found: Fate) -> str:
+    """The verdict, with the title of the file before it and its unit of length at the end."""
+    lines, labels = list(scene_lines(found._replace(reason=""))), found.flow.scene.labels
+    title = f"{lines.pop(0)}: " if labels.title else ""
+    unit = f"; {lines.pop()}" if labels.length_unit else ""
+    return f"{title}{' '.join(lines)}{unit}"
 
 
 def cites(found: Fate) -> list[Cite]:

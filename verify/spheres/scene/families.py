@@ -40,6 +40,11 @@ from verify.wire.inputs import InputError, rational, shown
 
 PARAMETERS = "parameters"
 BODIES = {MASSES, RADII}
+#: What to write for the direction of a velocity, which has no cosine here.
+ANGLES = (
+    "; an angle a is given by a parameter t, the tangent of a/2: its cosine is "
+    "(1 - t**2)/(1 + t**2), its sine 2*t/(1 + t**2)"
+)
 MAX_PARAMETERS, MAX_LETTERS, MAX_POWER, MAX_BITS = 20, 500, 20, 10_000
 Side = tuple[Fraction, Fraction]
 _OPERATIONS: dict[type, Callable[[Any, Any], Any]] = {
@@ -236,9 +241,10 @@ def _of(place: _Place, node: ast.expr) -> Fraction | Term:
         return base**exponent
     part = ast.get_source_segment(place.text, node) or place.text
     known = ", ".join(place.values) or "none"
+    is_angle = re.search(r"\b(cos|sin|tan|pi)\b", part) is not None
     raise InputError(
         f"{place.where}: {shown(part)} is no term; write + - * / ** of numbers and of the "
-        f"parameters ({known})"
+        f"parameters ({known})" + ANGLES * is_angle
     )
 
 

@@ -157,7 +157,7 @@ def _meant_key(odd: str, table: dict[str, Any]) -> str:
 
 
 def _meant_line(content: bytes) -> str | None:
-    """What was meant by ``r = 0,05``, ``r = 5%``, ``time_unit = s`` or ``[0,05, 1]``; or None."""
+    """What was meant by ``r = 0,05``, ``r = 5%``, ``h = 0..1`` or ``[0,05, h]``; or None."""
     comma, percent = (
         re.search(rb"^[ \t]*(\w+)[ \t]*=[ \t]*" + number + rb"[ \t\r]*$", content, re.MULTILINE)
         for number in (rb"(-?\d+),(\d+)", rb"(\d{1,9}(?:\.\d{1,9})?)[ \t]*%")
@@ -168,20 +168,30 @@ def _meant_line(content: bytes) -> str | None:
     if percent is not None:
         name, number = (part.decode() for part in percent.groups())
         return f"{name} = {hundredth(number)}"
-    names = "|".join(LABELS).encode()
-    label = re.search(
-        rb"^[ \t]*(" + names + rb")[ \t]*=[ \t]*([A-Za-z][^\"'#\n]*?)[ \t\r]*$",
-        content,
-        re.MULTILINE,
-    )
-    if label is not None:
-        name, word = (part.decode() for part in label.groups())
-        return f'{name} = "{word}", in quotes'
+    for name, text in re.findall(
+        r"^[ \t]*(\w+)[ \t]*=[ \t]*([^\n]+)$", content.decode(), re.MULTILINE
+    ):
+        if not text.startswith("["):
+            words, before = [re.sub(r"[ \t]*#.*", "", text)], f"{name} = "
+        else:
+            words, before = re.findall(r"[\[,][ \t]*([^][,{}#]+)(?=[],])", text), ""
+        for word in map(str.strip, words):
+            if not re.search("[\"'{]", word) and re.search(r"[a-z]|\.\.", word) and _is_odd(word):
+                return f'{before}"{word}", in quotes'
     among = re.search(rb"[\[,][ \t]*(-?\d+),(0\d+)[ \t]*[\],]", content)  # no number begins with 0
     if among is not None:
         whole, digits = (part.decode() for part in among.groups())
         return f"{whole}.{digits}, with a decimal point"
     return None
+
+
+def _is_odd(value: str) -> bool:
+    """Whether TOML knows no such value."""
+    try:
+        tomllib.loads(f"value = {value}")
+    except ValueError:
+        return True
+    return False
 
 
 def _each(where: str, key: str, table: dict[str, Any]) -> tuple[Fraction, ...]:

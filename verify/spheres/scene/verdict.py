@@ -21,6 +21,8 @@ from verify.spheres.scene.telling import CLASSIFICATION
 
 #: Bits of an angle in degrees, of which at most 60 digits are shown.
 ANGLE_BITS = 512
+#: An enclosure of a time that is longer is told with fewer digits.
+MOST_LETTERS = 40
 #: How the theorems on collapses are called.
 WORDS = {
     LINE: "theorem on a line",
@@ -228,7 +230,13 @@ def _angle(neg_cos: Fraction) -> tuple[Fraction, Fraction]:
 def _event_time(ends: tuple[Fraction, Fraction]) -> str:
     """A number with those of its digits that are certain, a few of them."""
     low, high = ends
-    return told_number(low) if low == high else short(ends)
+    if low == high:
+        return told_number(low)
+    text = short(ends)
+    if len(text) <= MOST_LETTERS:
+        return text
+    low_text, high_text = outward(ends, 12)  # next to a short decimal, no digits agree
+    return f"[{low_text}, {high_text}]"
 
 
 def shown_ends(ends: tuple[Fraction, Fraction]) -> list[str]:

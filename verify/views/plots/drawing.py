@@ -232,14 +232,20 @@ MARKS = ("M-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z", "M-4-4h8v8h-8z", "M0-5l5 9h-10z",
 def _curve(shape: shapes.Curve, place: _Place) -> Iterator[str]:
     points = [(place.x(x), place.y(y)) for x, y in shape.points]
     path = "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in points)
-    yield f'<path d="{path}" fill="none" stroke="var(--{shape.colour})" stroke-width="1.4"/>'
+    style = f'stroke="var(--{shape.colour})" stroke-width="1.4"{_dashes(shape)}'
+    yield f'<path d="{path}" fill="none" {style}/>'
     if shape.mark is not None:
         yield from (_mark(at, shape) for at in points[:: 1 + (len(points) - 1) // MOST])
 
 
+def _dashes(shape: shapes.Curve) -> str:
+    return f' stroke-dasharray="{shape.dashes}"' if shape.dashes else ""
+
+
 def _mark(at: shapes.Point, shape: shapes.Curve) -> str:
     if shape.mark is None:
-        return f'<path d="M{at[0] - 9:.1f} {at[1]:.1f}h18" stroke="var(--{shape.colour})"/>'
+        style = f'stroke="var(--{shape.colour})"{_dashes(shape)}'
+        return f'<path d="M{at[0] - 9:.1f} {at[1]:.1f}h18" {style}/>'
     return (
         f'<path d="{MARKS[shape.mark % len(MARKS)]}" fill="var(--{shape.colour})" '
         f'transform="translate({at[0]:.1f} {at[1]:.1f})"/>'
@@ -275,7 +281,8 @@ def _axes(place: _Place) -> Iterator[str]:
     x, y = place.panel.x, place.panel.y
     for value, text in _shown(x):
         yield f'<path d="M{place.x(value):.1f} {bottom}v5" stroke="var(--faint)"/>'
-        yield _text((place.x(value), bottom + 19), text, "middle")
+        inside = min(place.x(value), place.panel.width - LETTER * len(text) / 2)
+        yield _text((inside, bottom + 19), text, "middle")
     for value, text in _shown(y):
         yield f'<path d="M{left} {place.y(value):.1f}h-5" stroke="var(--faint)"/>'
         yield _text((left - 8, place.y(value) + 5), text, "end")

@@ -33,6 +33,10 @@ COLLAPSES, ENDS, BETWEEN = "refuted-area", "proved-area", "ink"
 WIDTH, HEIGHT = 440, 360
 #: The vertical axis; this stands above it, since there is no room beside its marks.
 UP = "φ₂ |W_c|²"
+#: The strokes of neighbouring curves, which are told apart without colours, too.
+DASHES = ("", "6 2", "1.5 2", "6 2 1.5 2")
+#: No number in a legend has more letters.
+MOST_LETTERS = 12
 #: How far from a mark on the axis its name stands, and the room that it needs to the left of φ⁻.
 BESIDE, ROOM = 0.02, 0.1
 
@@ -111,23 +115,28 @@ def curves_svg(curves: Sequence[tuple[Separatrix, Sequence[CurveAt]]]) -> str:
     c, ratio = (exact_number(x) for x in curves[0][0].parameters[1:])
     first, last = (exact_number(found.parameters.r) for found, _ in (curves[0], curves[-1]))
     title = f"r from {first} (top) to {last}, -cos θ = {c}, ratio {ratio}"
+    none = ", ".join(exact_number(found.parameters.r) for found, strips in curves if not strips)
+    heading = [title, *([f"no curve at r = {none}"] if none else [])]
     right = max((strip.q for _, strips in drawn for strip in strips), default=Fraction(1))
     high = max((phi_2(s.high) for _, strips in drawn for s in strips), default=1.0)
     told = "the separatrix for several r, the least r on top"
     x, y = _scale("φ₁", right), _scale("", Fraction(high) * Fraction(11, 10))
     height = HEIGHT + LEGEND * -(-len(drawn) // 2)
     panel = Panel(UP, x, y, lambda: _curves(drawn), told, WIDTH, height)
-    return standalone(svg("separatrices", [panel], f"{title}: {told}", [title]))
+    return standalone(svg("separatrices", [panel], f"{title}: {told}", heading))
 
 
 def _curves(drawn: Iterable[tuple[Separatrix, Sequence[CurveAt]]]) -> Iterator[Shape]:
     for number, (found, strips) in enumerate(drawn):
         points = [_middle(strip) for strip in strips]
-        yield Curve(points, f"series-{1 + number % 7}", None, f"r = {_told(found.parameters.r)}")
+        name, dashes = f"r = {_told(found.parameters.r)}", DASHES[number % len(DASHES)]
+        yield Curve(points, f"series-{1 + number % 7}", None, name, dashes)
 
 
 def _told(value: Fraction) -> str:
-    return short((value, value), 4).rstrip("…")
+    """A number as it is; shortened, with a sign …, if it is long."""
+    exact = exact_number(value)
+    return exact if len(exact) <= MOST_LETTERS else short((value, value), 8)
 
 
 def _middle(strip: CurveAt) -> Point:

@@ -58,12 +58,16 @@ class Dots(Record):
 
 
 class Curve(Record):
-    """Measured points with a line through them; marks differ in shape, or there are none."""
+    """Measured points with a line through them; marks differ in shape, or there are none.
+
+    ``dashes`` are the lengths of strokes and gaps of the line; it is whole without any.
+    """
 
     points: Sequence[Point]
     colour: str
     mark: int | None = 0
     name: str = ""
+    dashes: str = ""
 
 
 class Words(Record):

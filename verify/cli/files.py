@@ -298,24 +298,21 @@ def write_certificate(
     ):
         print("verify: a needed row is undecided; no certificate was written", file=sys.stderr)
         return
-    digits = longest_number(outcome)
-    if digits > CHECKER_DIGITS:
-        raise UncheckableError(
-            option,
-            f"a number in the certificate would have {digits} digits, and the checker reads at "
-            f"most {CHECKER_DIGITS}",
-        )
     files = write(outcome)
     try:
         accept(files, outcome.claimed)
     except UnreadError as error:
+        digits = longest_number(outcome)
         if digits < LONG_NUMBER:
             raise
-        raise UncheckableError(
-            option,
-            f"numbers of {digits} digits make the certificate more than the checker's budget of "
-            "work",
-        ) from error
+        why = (
+            f"a number in the certificate would have {digits} digits, and the checker reads at "
+            f"most {CHECKER_DIGITS}"
+            if digits > CHECKER_DIGITS
+            else f"numbers of {digits} digits make the certificate more than the checker's budget "
+            "of work"
+        )
+        raise UncheckableError(option, why) from error
     write_folder(option, directory, {**files, **(beside or {})})
 
 

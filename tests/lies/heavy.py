@@ -478,7 +478,7 @@ def terms_in_the_wrong_order() -> Pair:
 @heavy
 def many_constants_each_of_two_names() -> Pair:
     pair = Pair()
-    for i in range(14_000):
+    for i in range(36_000):
         pair.constant(f"c{i}", ["add", f"c{i - 1}", f"c{i - 2}"] if i > 1 else "1")
     return true(pair)
 

@@ -11,7 +11,13 @@ from io import BytesIO
 
 from verify import check_map
 from verify.cli.files import print_document, read_bytes, write_all
-from verify.cli.map_boxes import heading, names_of, table_of, test_tables, write_tables
+from verify.cli.map_boxes import (
+    axes_with_units,
+    map_heading,
+    scene_table,
+    test_tables,
+    write_tables,
+)
 from verify.cli.options import JSON, Options, Usage, leave_out
 from verify.cli.scene_sample import point_in
 from verify.cli.steps import MAX_JOBS
@@ -279,8 +285,8 @@ def _read_times(folder: str, progress: Progress) -> list[Sample]:
 def _write(options: Options, progress: Progress, times: list[Sample]) -> None:
     from verify.views.plots.map_picture import png_map, svg_map
 
-    table = table_of(options)
-    names, lines = names_of(progress, table), heading(options, progress, table)
+    table = scene_table(options)
+    names, lines = axes_with_units(progress, table), map_heading(options, progress, table)
     rows = "".join(f"{s.boxes},{s.undecided},{s.seconds:.3f}\n" for s in times)
     document = json.dumps(_document(progress), ensure_ascii=False, indent=1)
     files = {

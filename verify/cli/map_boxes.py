@@ -71,11 +71,11 @@ def write_tables(options: Options, progress: Progress, jobs: int) -> None:
 def _pictures(options: Options, progress: Progress, pairs: Sequence[Any]) -> dict[str, bytes]:
     from verify.views.plots.map_colours import COLOURINGS, coloured
 
-    table, plane = table_of(options), progress.plane
-    time, lines = str(table.get("time_unit", "")), heading(options, progress, table)
+    table, plane = scene_table(options), progress.plane
+    time, lines = str(table.get("time_unit", "")), map_heading(options, progress, table)
     sides = [side for side in (plane.x, plane.y) if side is not None]
     axes: list[tuple[str, Fraction, Fraction]] = [
-        (name, *side) for name, side in zip(names_of(progress, table), sides, strict=False)
+        (name, *side) for name, side in zip(axes_with_units(progress, table), sides, strict=False)
     ]
     return {
         f"map-{one.name}.svg": coloured(one, axes, pairs, lines, time).encode()
@@ -83,14 +83,14 @@ def _pictures(options: Options, progress: Progress, pairs: Sequence[Any]) -> dic
     }
 
 
-def table_of(options: Options) -> Mapping[str, Any]:
+def scene_table(options: Options) -> Mapping[str, Any]:
     """The scene file of a map; nothing without one."""
     if not options.plane.endswith(".toml"):
         return {}
     return read_family(options.plane, read_bytes("plane", options.plane)).table
 
 
-def heading(options: Options, progress: Progress, table: Mapping[str, Any]) -> list[str]:
+def map_heading(options: Options, progress: Progress, table: Mapping[str, Any]) -> list[str]:
     """What stands above a picture: the title of the file, and what is the same in all of it."""
     from verify.views.map import plane_parts
 
@@ -99,7 +99,7 @@ def heading(options: Options, progress: Progress, table: Mapping[str, Any]) -> l
     return [line for line in lines if line]
 
 
-def names_of(progress: Progress, table: Mapping[str, Any]) -> list[str]:
+def axes_with_units(progress: Progress, table: Mapping[str, Any]) -> list[str]:
     """What the axes are, with the units of the file."""
     from verify.views.map import axis_names
 

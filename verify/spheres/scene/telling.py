@@ -73,8 +73,8 @@ class Numbers(Record):
 class Telling:
     """The parameters, constants and rows so far, and the state that was reached.
 
-    ``values`` has the exact values of the constants that follow from what is given; ``is_short``
-    says that intervals of 128 bits keep them, and all on the way to them, as they are.
+    ``is_short`` says that intervals of 128 bits keep the constants that follow from what is given,
+    and all on the way to them, as they are.
     """
 
     def __init__(self, scene: Scene) -> None:

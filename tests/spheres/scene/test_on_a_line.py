@@ -13,7 +13,8 @@ from verify.language.statement import PROVED, Applies
 from verify.language.terms import as_term
 from verify.paper.commands.scene import decide_line, scene_outcome
 from verify.prover import balls
-from verify.spheres.flow.line import is_on_a_line
+from verify.spheres.flow.follow import Flow
+from verify.spheres.flow.line import follow_line, is_on_a_line
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, decide_scene
 from verify.spheres.scene.scene import Bodies, Scene
 from verify.wire.judge import report_on
@@ -165,6 +166,11 @@ def test_masses_on_a_line(seed: int) -> None:
     times, is_end = exact_collisions(scene, 60 if found.collapse else found.collisions + 1)
     if found.collapse is None:
         assert (found.verdict, is_end, len(times)) == (DISPERSES, True, found.collisions)
+        with balls.precision(256):
+            flow = Flow(scene, 256)
+            run = follow_line(flow, 400) if flow.advance() else None
+        assert run is None or (run.ends, run.collisions) == (True, len(times))
+        assert (run is None) == (not times)
         return
     assert (found.verdict, is_end) == (COLLAPSES, False)
     assert 4 * r < (1 + r) ** 2 / ((1 + m[0] / m[1]) * (1 + m[0] / m[2]))

@@ -164,7 +164,7 @@ class Draw:
             return [f"(pop {count})"]
         if kind < 0.87:
             self.scopes = [{}]
-            return ["(reset-assertions)"]
+            return [self.one("(reset-assertions)", "(reset)", "(reset)")]
         return ["(check-sat)"] if kind < 0.95 else ['(set-info :notes "a ""b"" (assert false) ;")']
 
     def declare(self, name: str) -> str:

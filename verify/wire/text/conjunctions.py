@@ -36,7 +36,7 @@ from verify.wire.text.points import a_point
 MAX_BRANCHES = 1000
 #: So many claims are left out of the givens, one after another, until a point of the others is
 #: found.
-MAX_LEFT = 24
+MAX_LEFT = 16
 #: In terms with more signs than this, each part written out where it stands, parts that stand there
 #: several times get names.
 LARGE = 5000

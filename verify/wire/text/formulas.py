@@ -24,7 +24,7 @@ from verify.wire.text.lisp import Source, Tree, Word
 #: A formula, or a term, with more alternatives than this is refused.
 MAX_CASES = 64
 #: So many trees are read at most, those of a function each time that it is called.
-MAX_READ = 300_000
+MAX_READ = 100_000
 
 _NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?|[+-]?[0-9]+/[0-9]+")
 

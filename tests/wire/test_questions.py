@@ -123,6 +123,7 @@ def test_what_each_question_asks(text: str, wanted: list[str]) -> None:
         *("(declare-fun f (Real) Real)", "(declare-const b Bool)", "(declare-fun x () Real)"),
         *("(define-fun x () Real 1)", "(define-fun f ((y Real) (y Real)) Real y)", "(pop 1)"),
         *("(define-fun f ((y Real)) Real z)", "(define-fun f () Real (< x 1))", "(push x)"),
+        *("(push 0000000001)", "(pop 0)(pop 1)"),
         *("(define-fun f ((y Int)) Real y)", "(assert (forall ((y Real)) (< y x)))", "(pop -1)"),
         *(
             "(assert (let ((y x) (y 1)) (< y 0)))",

@@ -35,8 +35,8 @@ from verify.wire.text.points import a_point
 #: So many branches are looked at, contradictions among them.
 MAX_BRANCHES = 1000
 #: So many claims are left out of the givens, one after another, until a point of the others is
-#: found.
-MAX_LEFT = 16
+#: found; fewer where there are many variables and claims.
+MAX_LEFT, MAX_SEARCHED = 16, 2000
 #: In terms with more signs than this, each part written out where it stands, parts that stand there
 #: several times get names.
 LARGE = 5000
@@ -237,8 +237,8 @@ def forms(asked: Asked, claims: Sequence[Claim], order: Order) -> Iterator[Form]
         yield _last_form(asked, claims, order)
         return
     solution = a_point(names, [Given("", claim) for claim in claims], {})
-    count = 0
-    for left in sorted(claims, key=lambda claim: _rank(claim, order), reverse=True)[:MAX_LEFT]:
+    count, tries = 0, max(1, min(MAX_LEFT, MAX_SEARCHED // (len(names) * len(claims) or 1)))
+    for left in sorted(claims, key=lambda claim: _rank(claim, order), reverse=True)[:tries]:
         others = [given for claim in claims if claim is not left for given in _parts(claim)]
         point = solution or a_point(names, [Given("", claim) for claim in others], {})
         if point is not None:

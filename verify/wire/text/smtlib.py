@@ -9,6 +9,7 @@ printed, and change no answer.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 from itertools import chain
 from os.path import basename
@@ -254,8 +255,8 @@ class _File:
         match tree:
             case [_]:
                 return 1
-            case [_, Word() as number] if number.isdecimal() and number.isascii():
-                return int(number[:9])
+            case [_, Word() as number] if re.fullmatch("0|[1-9][0-9]{0,5}", number):
+                return int(number)
         raise self._no(tree, "(push 1) or (pop 1)")
 
     def _reset(self, tree: Tree) -> None:

@@ -96,6 +96,10 @@ def verdicts(text: str, work: int = 3_000_000) -> list[str]:
         ("(assert (< 2 1))(check-sat)", [PROVED]),
         ("(assert (and (< 1 2) (<= 3 3)))(check-sat)", [REFUTED]),
         (f"{X}(assert (or (< x 0) (> x 0)))(assert (not (distinct x 0)))(check-sat)", [PROVED]),
+        # A bound of a modulus or minimum is two bounds.
+        (f"{X}(assert (<= (abs x) 2))(assert (< x (- 1)))(check-sat)", [REFUTED]),
+        (f"{X}(assert (< (ite (< x 0) (- x) x) 2))(assert (>= (* x x) 4))(check-sat)", [PROVED]),
+        (f"{X}(assert (< 1 (min x (- 3 x))))(assert (< 2 x))(check-sat)", [PROVED]),
         # No point of all but one assertion: the rest is denied together.
         (
             (

@@ -162,7 +162,7 @@ def model_of(tree: list[object]) -> At:
     """The rational numbers in a model."""
     found = {}
     for part in tree:
-        if isinstance(part, list) and part[0] == "define-fun" and part[2] == []:
+        if isinstance(part, list) and part[:1] == ["define-fun"] and part[2:4] == [[], "Real"]:
             try:
                 found[naive.name_of(part[1])] = Fraction(naive.evaluate(part[4], {}))
             except (KeyError, ValueError):  # an algebraic number

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from time import monotonic
 
 #: About the number of microseconds that a search for one row may take.
@@ -44,6 +45,18 @@ class WorkBudget:
         self.interrupted = False
         self._end = None if seconds is None else monotonic() + seconds
         self._row_end = self._end
+
+    @contextmanager
+    def part(self, work: int, time: int) -> Iterator[WorkBudget]:
+        """A budget with one of so many parts of the work for each row, and of the time left."""
+        found = WorkBudget(self.work // work, None, self.watch, catches=self.catches)
+        if self._end is not None:
+            now = monotonic()
+            found._end = found._row_end = now + (self._end - now) / time
+        try:
+            yield found
+        finally:
+            self.interrupted |= found.interrupted
 
     def begin(self, name: str, rows: int) -> None:
         """A row begins, and with it so many are left."""

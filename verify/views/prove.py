@@ -11,7 +11,7 @@ from verify.language.typeset import Typesetter
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
 from verify.views import words
-from verify.views.document import assumption_document, cite_document, row_document
+from verify.views.document import assumption_document, cite_document, row_document, value_text
 
 FORMAT = "verify-prove/1"
 
@@ -33,7 +33,7 @@ def decided_lines(outcome: Outcome, paper: Publication, *, numbers: bool = False
         elif found.reason:
             line += f"   because {found.reason}"
         if found.witness:
-            line += f", false at {words.values_told(words.witness_of(row, found), typesetter)}"
+            line += f", false at {words.values_told(dict(found.witness), typesetter)}"
         yield line
         if numbers:
             yield from _numbers(row, found)
@@ -65,6 +65,11 @@ def _numbers(row: Obligation, found: Decision) -> Iterator[str]:
         yield f"  given {', '.join(row.uses)}"
 
 
+def _values(found: Decision, typesetter: Typesetter) -> dict[str, str]:
+    """The values of a witness, all of which the givens need."""
+    return {name: value_text(term, typesetter) for name, term in found.witness.items()}
+
+
 def decided_document(outcome: Outcome) -> dict[str, Any]:
     """The outcome as one JSON document."""
     typesetter = words.letters(outcome)
@@ -77,7 +82,9 @@ def decided_document(outcome: Outcome) -> dict[str, Any]:
         "assumptions": [assumption_document(a) for a in outcome.assumptions],
         "cites": [cite_document(cite) for cite in outcome.statement.cites],
         "obligations": [
-            row_document(outcome, row, found, typesetter) | {"reason": found.reason or None}
+            row_document(outcome, row, found, typesetter)
+            | {"reason": found.reason or None}
+            | ({"witness": _values(found, typesetter)} if found.witness else {})
             for row, found in outcome.rows
         ],
         "spent": outcome.spent or None,

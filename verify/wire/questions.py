@@ -19,7 +19,7 @@ from verify.wire.inputs import InputError, TooDeepError, shown
 from verify.wire.judge import judged
 from verify.wire.read import cites_of, read_statement
 from verify.wire.term_json import TermReader
-from verify.wire.text import Page
+from verify.wire.text import OTHERS, Page
 from verify.wire.write import certificate_file, digest, statement_file
 
 #: What the checker says where there is more than it reads.
@@ -56,7 +56,7 @@ def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
     if path.endswith(".smt2"):
         from verify.wire.text.smtlib import read_smtlib
 
-        return Page(read_smtlib(path, content), {})
+        return read_smtlib(path, content)
     if path.endswith(".fpcore"):
         from verify.wire.text.fpcore import read_fpcore
 
@@ -89,6 +89,56 @@ def decide(
             raise
         found = Decision(UNDECIDED, reason=str(error))
         return outcome._replace(decisions=dict.fromkeys(outcome.decisions, found))
+
+
+def decide_page(page: Page, budget: WorkBudget) -> Outcome:
+    """Every row of a page, decided and judged; other forms of a row are tried if it is undecided.
+
+    Where there are other forms, the first one has half of the work for a row and of the time. What
+    is found apart is decided once more with the other rows.
+
+    Raises:
+        InputError: for a statement that the checker cannot read.
+        OwnError: if the checker refuses what the search calls proved.
+    """
+    statement = page.statement
+    if not page.forms:
+        return decide(statement, budget, page.hints)
+    with budget.part(2, 2) as half:
+        first = decide(statement, half, page.hints)
+    open_rows = [row.name for row, found in first.rows if found.claimed == UNDECIDED]
+    found: dict[str, Outcome] = {}
+    for left, name in zip(range(len(open_rows), 0, -1), open_rows, strict=True):
+        outcome = _by_other_forms(page, name, budget, left)
+        if outcome is not None:
+            found[name] = outcome
+    if not found or len(statement.obligations) == 1:
+        return next(iter(found.values()), first)
+    return decide(_with_forms(statement, found), budget, page.hints)
+
+
+def _by_other_forms(page: Page, name: str, budget: WorkBudget, rows: int) -> Outcome | None:
+    """The outcome of the first other form of a row that is decided; None if none is."""
+    for left, (context, row) in zip(range(OTHERS, 0, -1), page.forms[name], strict=False):
+        if budget.interrupted:
+            break
+        contexts = () if context is None else (context,)
+        asked = page.statement._replace(obligations=(row,), contexts=contexts)
+        with budget.part(2 * OTHERS, left * rows + (len(page.forms) > 1)) as share:
+            outcome = decide(asked, share)
+        if outcome.claimed != UNDECIDED:
+            return outcome
+    return None
+
+
+def _with_forms(statement: Statement, found: Mapping[str, Outcome]) -> Statement:
+    """The statement with other forms of some of its rows."""
+    contexts = {context.name: context for context in statement.contexts}
+    rows = {row.name: row for row in statement.obligations}
+    for outcome in found.values():
+        contexts |= {context.name: context for context in outcome.statement.contexts}
+        rows |= {row.name: row for row in outcome.statement.obligations}
+    return statement._replace(contexts=(*contexts.values(),), obligations=(*rows.values(),))
 
 
 def _is_limit(error: Exception) -> bool:

@@ -161,7 +161,17 @@ def shown(text: str) -> tuple[Fraction, Fraction]:
     return (value, value + unit) if value >= 0 else (value - unit, value)
 
 
-@given(intervals, intervals, st.integers(3, 8))
+#: Enclosures as narrow as those that the program makes, of numbers that may be next to each other.
+narrow = st.builds(
+    lambda a, b, n, w: tuple(sorted(a * (1 + Fraction(b, 10**n)) * (1 + e) for e in (-w, w))),
+    st.sampled_from([Fraction(1), Fraction(-1, 3), Fraction(8, 13), Fraction(99999, 100)]),
+    st.integers(-9, 9),
+    st.integers(1, 20),
+    st.sampled_from([Fraction(0), Fraction(1, 10**27)]),
+).filter(lambda ends: ends[0] * ends[1] > 0)
+
+
+@given(narrow, narrow, st.integers(3, 8))
 def test_two_numbers_are_told_apart_where_they_differ(
     a: tuple[Fraction, Fraction], b: tuple[Fraction, Fraction], digits: int
 ) -> None:

@@ -100,7 +100,7 @@ def outward(ends: tuple[Fraction, Fraction], digits: int = DIGITS) -> list[str]:
     ]
 
 
-def short(ends: tuple[Fraction, Fraction], digits: int = 8, least: int = AGREEING) -> str:
+def short(ends: tuple[Fraction, Fraction], digits: int = 8) -> str:
     """The digits on which the two ends agree, at most ``digits``, followed by … if cut off.
 
     Where they agree on fewer than `AGREEING` digits, a short decimal between them with what they
@@ -112,13 +112,13 @@ def short(ends: tuple[Fraction, Fraction], digits: int = 8, least: int = AGREEIN
         if mantissa * Fraction(10) ** exponent == low:
             return people(decimal_text(mantissa, exponent))
     if low < 0 < high or not (low and high) or decimal_exponent(low) != decimal_exponent(high):
-        return both_ends(ends, least)
+        return both_ends(ends)
     exponent = decimal_exponent(low) - digits + 1
     a, b = (_towards_zero(end, exponent) for end in ends)
     while a != b:
         a, b, exponent = _cut(a), _cut(b), exponent + 1
     if abs(a) < 10 ** (min(AGREEING, digits) - 1):
-        return both_ends(ends, least)
+        return both_ends(ends)
     if exponent <= 0:
         return people(decimal_text(a, exponent), "…")
     head, rest = str(abs(a))[0], str(abs(a))[1:]  # in 99000… the zeros would be digits, too
@@ -138,10 +138,8 @@ def near_decimal(ends: tuple[Fraction, Fraction]) -> Fraction | None:
     return near if low <= near <= high else None
 
 
-def both_ends(ends: tuple[Fraction, Fraction], least: int = AGREEING) -> str:
+def both_ends(ends: tuple[Fraction, Fraction]) -> str:
     """The interval, rounded outward to as many digits as tell its ends apart, and two more.
-
-    There are ``least`` digits at least.
 
     Around a short decimal: this, and a power of ten that it differs from it at most.
     """
@@ -151,7 +149,7 @@ def both_ends(ends: tuple[Fraction, Fraction], least: int = AGREEING) -> str:
         most = max(near - low, high - near)
         exponent = decimal_exponent(most) + (most != Fraction(10) ** decimal_exponent(most))
         return f"{exact_number(near)} ± {people(decimal_text(1, exponent))}"
-    return f"[{', '.join(map(people, outward(ends, min(max(least, _telling(low, high)), DIGITS))))}]"
+    return f"[{', '.join(map(people, outward(ends, min(max(AGREEING, _telling(low, high)), DIGITS))))}]"
 
 
 def inside(ends: tuple[Fraction, Fraction], digits: int) -> list[str]:
@@ -172,18 +170,29 @@ def inside(ends: tuple[Fraction, Fraction], digits: int) -> list[str]:
 def told_apart(
     left: tuple[Fraction, Fraction], right: tuple[Fraction, Fraction], digits: int = 8
 ) -> tuple[str, str]:
-    """Two enclosures in short, with so many digits that these show which number is larger.
+    """Two narrow enclosures in short, with so many digits that these show which number is larger.
 
     Where the enclosures do not show it, with ``digits``.
     """
-    more = digits
-    while not (_shows(left, right, more) or _shows(right, left, more)):
-        more += 1
-        if left[1] >= right[0] and right[1] >= left[0]:
-            more = digits
-            break
-    least = AGREEING if more == digits else more
-    return short(left, more, least), short(right, more, least)
+    if left[1] < right[0] or right[1] < left[0]:
+        for more in range(digits, DIGITS):
+            if _shows(left, right, more) or _shows(right, left, more):
+                texts = _to_digits(left, more), _to_digits(right, more)
+                if all(texts):
+                    return texts
+    return short(left, digits), short(right, digits)
+
+
+def _to_digits(ends: tuple[Fraction, Fraction], digits: int) -> str:
+    """An enclosure in short with all these digits, if it has as many; else nothing."""
+    low, high = ends
+    if near_decimal(ends) is not None:
+        return both_ends(ends)
+    if low == high or (low and high and decimal_exponent(low) == decimal_exponent(high)):
+        exponent = decimal_exponent(low or Fraction(1)) - digits + 1
+        if _towards_zero(low, exponent) == _towards_zero(high, exponent):
+            return short(ends, digits)
+    return ""
 
 
 def _shows(

@@ -116,5 +116,7 @@ def test_a_sentence_about_a_committed_certificate_is_not_empty() -> None:
     assert len(reports) > 15
     for path in reports:
         text = path.read_text(encoding="utf-8")
-        for low, high in re.findall(r"\[(-?[\d.]+(?:·10[⁻⁰-⁹¹²³]+)?), (-?[\d.]+(?:·10\S+?)?)\]", text):
+        for low, high in re.findall(
+            r"\[(-?[\d.]+(?:·10[⁻⁰-⁹¹²³]+)?), (-?[\d.]+(?:·10\S+?)?)\]", text
+        ):
             assert value_of(low) <= value_of(high), (path, low, high)

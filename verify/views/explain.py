@@ -211,7 +211,7 @@ def about_label(outcome: Outcome, label: str, paper: Publication) -> list[str]:
     for verdict, title in KINDS.items():
         for row, found in rows:
             if row.role == PRINTED and fair(outcome, row, found) == verdict:
-                text += _false(outcome, row, found, title)
+                text += _false(outcome, row, found, title, paper)
     held = [row for row, d in rows if row.role == PRINTED and d.verdict == PROVED]
     true = [row for row, d in rows if row.role == NEEDED and d.verdict == PROVED]
     text += _named("printed, and proved", held) + _named("needed, and proved", true)
@@ -234,8 +234,11 @@ def _verdict(outcome: Outcome, rows: list[Row]) -> str:
     return "; ".join(parts)
 
 
-def _false(outcome: Outcome, row: Obligation, found: Decision, title: str) -> Iterator[str]:
-    severity = f" ({row.severity})" if fair(outcome, row, found) == REFUTED and row.severity else ""
+def _false(
+    outcome: Outcome, row: Obligation, found: Decision, title: str, paper: Publication
+) -> Iterator[str]:
+    told = paper.severity(row) if fair(outcome, row, found) == REFUTED else ""
+    severity = f" ({told})" if told else ""
     yield f"  {title}{severity}: {short_name(row)}: {row.says}"
     yield f"    {letters(outcome).claim(row.claim)}"
     yield from _numbers(row, found)

@@ -271,7 +271,9 @@ class _Part:
         if row.uses:
             notes.append(f"with {', '.join(map(self._assumed, row.uses))}")
         if found.verdict == REFUTED:
-            notes += [words(row.severity)] if row.severity and verdict == REFUTED else []
+            notes += (
+                [words(self.paper.severity(row))] if row.severity and verdict == REFUTED else []
+            )
             better = INSTEAD_WORDS.get(verdict, "corrected by")
             notes += [f"{better} {self._named(row.corrected_by)}"] if row.corrected_by else []
         if notes:

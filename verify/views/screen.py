@@ -89,7 +89,8 @@ def _argument(outcome: Outcome, paper: Publication) -> Iterator[str]:
         if row.severity and words.fair(outcome, row, found) in (REFUTED, OTHERWISE, REMARK)
     )
     rest = [counted(kinds[kind], kind) for kind in (HARMLESS, SLIP) if kinds[kind]]
-    if any(name in paper.fatal for name in outcome.decisions):
+    fatal = [row.name for row, found in outcome.rows if words.fair(outcome, row, found) == REFUTED]
+    if any(name in paper.fatal for name in fatal):
         rest[-1] += ", one of them fatal"
     if rest:
         yield f"  Also refuted: {', '.join(rest)}."

@@ -1,0 +1,184 @@
+"""Numbers and formulas in README.md and docs/: what is seen of them, and what proves each.
+
+A page is read without its blocks of code, which are run, and without what the program writes into
+it. Each digit, power and root that is left has to lie in a span that something covers:
+
+* a formula that stands word for word in what the program writes of a committed certificate, or in a
+  block of the same page, which is run and compared;
+* an equation between numbers, which is computed;
+* a label of the paper, or the version of a program, that exists;
+* an entry of `tests.watched`: words with the numbers of the program in their gaps.
+
+Whatever is left over is `unwatched`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+from mpmath import mpf, sqrt, workdps
+
+from tests.readme_commands import ROOT
+from verify.paper.source import PAPER, printed_numbers
+from verify.views import classification, everywhere
+
+CERTIFICATES = ROOT / "certificates"
+
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+
+#: What has to be covered: digits, powers and roots. Digits below the line belong to letters.
+WATCHED = re.compile(r"[\d⁰¹²³⁴⁵⁶⁷⁸⁹√]")
+_CODE = re.compile(r"^ *(```+)(?!\{glossary|\{note)[^\n]*\n.*?^ *\1[ ]*$", re.MULTILINE | re.DOTALL)
+_GENERATED = re.compile(r"<!--.*?-->|\{\{.*?\}\}", re.DOTALL)
+_INLINE = re.compile(r"`[^`\n]*\n?[^`\n]*`|<code>.*?</code>|\]\([^)\s]*\)|https?://[^\s)]+|^(?::::|''')[^\n]*", re.MULTILINE)
+_BETWEEN = re.compile(r'[\s,;:()"]+')
+#: Words of which a formula is made; a sentence or a cell ends it.
+_WORD = (
+    r"(?<!\S)[^\s*]*[\d⁰-⁹¹²³₀-₉√αβγδζηθκλμρστφωΓΔΘΣ<>=≤≥±·…^/()\[\]_+][^\s*]*"
+    r"|(?<!\S)(?:-|[a-zA-Z]'?)(?!\S)|(?<!\S)\\\|[^\s]*"
+)
+CHUNK = re.compile(rf"(?:{_WORD})(?:\s+(?:{_WORD}))*")
+
+
+def blank(match: re.Match[str]) -> str:
+    """Spaces of the same length: places on a page stay."""
+    return re.sub(r"[^\n]", " ", match[0])
+
+
+def prose(text: str) -> str:
+    """A page without blocks of code, code in a line, addresses, and what is generated."""
+    for pattern in (_CODE, _GENERATED, _INLINE):
+        text = pattern.sub(blank, text)
+    return text
+
+
+def plain(text: str) -> str:
+    """A formula without spaces, dots of products and marks of Markdown."""
+    return re.sub(r"[\s\\`*·]", "", text)
+
+
+@cache
+def written() -> str:
+    """What the program writes of the committed certificates, and says of its theorems."""
+    reports = [path.read_text("utf-8") for path in sorted(CERTIFICATES.rglob("report.md"))]
+    said = [*classification.THEOREMS, everywhere.CLAIM, *(text for _, text in PAPER.notes().causes)]
+    said += [change.needed for change in PAPER.notes().changes]
+    return "\n".join(plain(line) for text in (*reports, *said) for line in text.split("\n"))
+
+
+def blocks(text: str) -> str:
+    """What stands in the blocks of a page, as words between spaces."""
+    found = " ".join(match[0] for match in _CODE.finditer(text))
+    return f" {' '.join(re.split(_BETWEEN, found))} "
+
+
+# --- rules ----------------------------------------------------------------------------------------
+
+Span = tuple[int, int]
+
+
+def formulas(text: str) -> Iterator[Span]:
+    """Formulas that stand in `written`: they compare or join at least two things."""
+    for match in CHUNK.finditer(text):
+        words = [m.span() for m in re.finditer(r"\S+", match[0])]
+        first = 0
+        while first < len(words):  # the longest row of words from each one on
+            for last in range(len(words), first, -1):
+                span = match.start() + words[first][0], match.start() + words[last - 1][1]
+                formula = plain(text[slice(*span)]).strip(",.;:")
+                if is_formula(formula) and formula in written():
+                    yield span
+                    first = last - 1
+                    break
+            first += 1
+
+
+def is_formula(text: str) -> bool:
+    """Whether a text is long enough to stand in no other formula by chance."""
+    return len(text) >= 5 and re.search("[<>=≤≥+/√-]", text[1:-1]) is not None
+
+
+#: A number: whole, a decimal, a root, or what is made of these.
+_NUMBER = r"[\d.]*√?[\d.]+(?:\s*[-+/]\s*[\d.]*√?[\d.]+)*"
+
+
+def equations(text: str) -> Iterator[Span]:
+    """Numbers that are compared, as is true: 9 - 4√5 = 0.0557…, √2 < 3/2."""
+    for match in re.finditer(rf"(?<![\w/^·)]){_NUMBER}\s*[=<≤]\s*{_NUMBER}…?(?!\w)", text):
+        left, sign, right = re.split(r"\s*([=<≤])\s*", match[0].rstrip("."))
+        (a, _), (b, more) = value(left), value(right)
+        if {"=": b <= a <= b + more, "<": a < b, "≤": a <= b}[sign]:
+            yield match.start(), match.start() + len(match[0].rstrip("."))
+
+
+def value(text: str) -> tuple[mpf, mpf]:
+    """A number, and the unit of its last digit where … follows; a digit less is another number."""
+    with workdps(60):
+        digits = len(text.rstrip("…").partition(".")[2])
+        more = mpf(10) ** -digits if text.endswith("…") else mpf(0)
+        python = re.sub(r"([\d.]+)√", r"\1*√", text.rstrip("…"))
+        python = re.sub(r"√([\d.]+)", r"sqrt(mpf('\1'))", python)
+        python = re.sub(r"(?<![\d.'])([\d.]+)(?![\d.'])", r"mpf('\1')", python)
+        return eval(python, {"mpf": mpf, "sqrt": sqrt}), more
+
+
+def shown(page: str, text: str) -> Iterator[Span]:
+    """Numbers of three digits and more that a block of the page shows, or is given."""
+    known = blocks(page)
+    for match in re.finditer(r"[^\s|*]*\d[^\s|*]*", text):
+        word = match[0].strip(",.;:()[]\"*?")
+        if len(re.findall(r"\d", word)) >= 3 and f" {word} " in known:
+            yield match.span()
+
+
+def labels(text: str) -> Iterator[Span]:
+    """Labels of the paper that exist: (4.10), Theorem 1, Section 4.2, Cnd7."""
+    numbers = set(printed_numbers().values())
+    numbers |= {f"Section {number[1]}" for number in numbers if number.startswith("(")} | {"Section 1"}
+    for match in re.finditer(r"\(\d\.\d+\)", text):
+        if match[0] in numbers:
+            yield match.span()
+    kinds = "Theorem|Proposition|Definition|Lemma|Remark|Section"
+    for match in re.finditer(rf"\b({kinds})s?\s+(\d(?:\.\d)?(?:(?:,| and| to)\s+\d(?:\.\d)?)*)", text):
+        parts = re.findall(r"\d(?:\.\d)?", match[2])
+        if all(f"{match[1]} {part}" in numbers for part in parts):
+            yield match.span()
+    for match in re.finditer(r"\bCnd(10|[1-9])\b", text):
+        yield match.span()
+
+
+#: The particles of the paper are 0, 1 and 2, and bounds that are 0 or 1 are no measured numbers.
+_SAYINGS = (
+    r"\bparticles 0 and 1\b|(?:[Pp]articles? |pairs? )?\b(?:0-[12]|1-2)\b|\b02, 01, 02\b|\bthat of 1\b|\b(?:0|1) and [12]\b"
+    r"|\b(?:[Pp]articles?|balls?|spheres?|at|of|from|where) 0\b(?!\.?\d)|\bparticle [12]\b"
+    r"|\b(?:tends?|reaches|falls?|add(?:s|ed)? up|due) to 0\b|\breaches 0\b|[<>≥≤=→≠] 0\b|momentum 0\b|between 0 and [c1]\b|\b0 <"
+    r"|\b(?:is|not|be|by|least|divides|are|measure) 0\b|= 1\b|[<≤] 1\b"
+    r"|\b(?:above|below|exceeds?|than|most) 1\b|\]0, ?1[\]\[]|\[[12]\],|SMT-LIB 2"
+)
+IDIOMS = re.compile(_SAYINGS.replace(" ", r"\s+").replace(r",\s+?1", ", ?1"))
+_MARKS = re.compile(r"^ *(?:\*\*)?\d+\. ", re.MULTILINE)
+
+
+def covered(page: str, text: str) -> Iterator[Span]:
+    """What the rules of this file cover."""
+    for rule in (formulas, equations, labels):
+        yield from rule(text)
+    yield from shown(page, text)
+    for pattern in (IDIOMS, _MARKS):
+        yield from (match.span() for match in pattern.finditer(text))
+
+
+def unwatched(page: str, spans: list[Span]) -> list[tuple[int, str]]:
+    """The words with something to watch outside all spans, each with its line."""
+    text = prose(page)
+    free = bytearray(b"\1" * len(text))
+    for start, end in spans:
+        free[start:end] = bytes(end - start)
+    found = []
+    for match in re.finditer(r"\S+", text):
+        if any(free[match.start() + m.start()] for m in WATCHED.finditer(match[0])):
+            found.append((text.count("\n", 0, match.start()) + 1, match[0]))
+    return found

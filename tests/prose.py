@@ -66,7 +66,35 @@ def written() -> str:
     reports = [path.read_text("utf-8") for path in sorted(CERTIFICATES.rglob("report.md"))]
     said = [*classification.THEOREMS, everywhere.CLAIM, *(text for _, text in PAPER.notes().causes)]
     said += [change.needed for change in PAPER.notes().changes]
-    return "\n".join(plain(line) for text in (*reports, *said) for line in text.split("\n"))
+    return re.sub(r"[\\`*·]", "", "\n".join([*reports, *said]))
+
+
+@cache
+def without_spaces() -> tuple[str, list[int]]:
+    """The same without spaces, and where each character stands with them."""
+    places = [place for place, letter in enumerate(written()) if letter != " "]
+    return "".join(written()[place] for place in places), places
+
+
+@cache
+def stands(formula: str) -> bool:
+    """Whether a formula without spaces stands there, and not as a part of a longer one."""
+    text, places = without_spaces()
+    start = text.find(formula)
+    while start >= 0:
+        before = written()[max(0, places[start] - 1) : places[start]]
+        after = written()[places[start + len(formula) - 1] + 1 : places[start + len(formula) - 1] + 2]
+        if not (_JOINS.match(before) and _BEGINS.match(formula[0])) and not (
+            _ENDS.match(formula[-1]) and (_ENDS.match(after) or after == ".")
+        ):
+            return True
+        start = text.find(formula, start + 1)
+    return False
+
+
+_JOINS = re.compile(r"[\w.√)]")
+_BEGINS = re.compile(r"[\w√+-]")
+_ENDS = re.compile(r"[\w⁰-⁹¹²³]")
 
 
 def blocks(text: str) -> str:
@@ -89,7 +117,7 @@ def formulas(text: str) -> Iterator[Span]:
             for last in range(len(words), first, -1):
                 span = match.start() + words[first][0], match.start() + words[last - 1][1]
                 formula = plain(text[slice(*span)]).strip(",.;:")
-                if is_formula(formula) and formula in written():
+                if is_formula(formula) and stands(formula):
                     yield span
                     first = last - 1
                     break
@@ -97,8 +125,13 @@ def formulas(text: str) -> Iterator[Span]:
 
 
 def is_formula(text: str) -> bool:
-    """Whether a text is long enough to stand in no other formula by chance."""
-    return len(text) >= 5 and re.search("[<>=≤≥+/√-]", text[1:-1]) is not None
+    """Whether a text is long enough to stand in no other formula by chance.
+
+    A letter with its value is none: that is an entry.
+    """
+    if len(text) < 5 or re.fullmatch(r"[^<>=≤≥+/()]+[=<≤]-?[\d./⁻¹²³⁰-⁹]+", text):
+        return False
+    return re.search("[<>=≤≥+/√-]", text[1:-1]) is not None
 
 
 #: A number: whole, a decimal, a root, or what is made of these.
@@ -150,25 +183,38 @@ def labels(text: str) -> Iterator[Span]:
         yield match.span()
 
 
-#: The particles of the paper are 0, 1 and 2, and bounds that are 0 or 1 are no measured numbers.
+#: The particles of the paper are 0, 1 and 2, and a bound or a limit that is 0 is no measured number.
 _SAYINGS = (
-    r"\bparticles 0 and 1\b|(?:[Pp]articles? |pairs? )?\b(?:0-[12]|1-2)\b|\b02, 01, 02\b|\bthat of 1\b|\b(?:0|1) and [12]\b"
-    r"|\b(?:[Pp]articles?|balls?|spheres?|at|of|from|where) 0\b(?!\.?\d)|\bparticle [12]\b"
-    r"|\b(?:tends?|reaches|falls?|add(?:s|ed)? up|due) to 0\b|\breaches 0\b|[<>≥≤=→≠] 0\b|momentum 0\b|between 0 and [c1]\b|\b0 <"
-    r"|\b(?:is|not|be|by|least|divides|are|measure) 0\b|= 1\b|[<≤] 1\b"
-    r"|\b(?:above|below|exceeds?|than|most) 1\b|\]0, ?1[\]\[]|\[[12]\],|SMT-LIB 2"
+    r"\bparticles 0 and 1\b|\b0-1 and 0-2\b|\b0-2, 0-1, 0-2\b|\b02, 01, 02\b"
+    r"|(?<!and[ \n])\b(?:0-[12]|1-2)\b(?! and [012]-|, [012]-)|\bthat of 1\b|\b0 and [12c]\b|\b1 and 2\b"
+    r"|\b(?:[Pp]articles?|balls?|spheres?|at|of|from|where|measure|momentum|reaches|up to) 0\b(?!\.?\d)"
+    r"|\b(?:tends?|falls?) to 0\b|[<>≥≤=→≠] 0\b(?!\.\d)|\b0 <|\b(?:is|not|be|by|least|divides|are) 0\b"
+    r"|\bbetween 0 and 1\b|\]0, ?1[\]\[]|Velázquez \[1\],|verify-collapse \[2\],|SMT-LIB 2\b"
+    r"|\b(?:above|below|exceeds?|than|most|exceed) 1\b(?!\.\d)"
 )
-IDIOMS = re.compile(_SAYINGS.replace(" ", r"\s+").replace(r",\s+?1", ", ?1"))
-_MARKS = re.compile(r"^ *(?:\*\*)?\d+\. ", re.MULTILINE)
+IDIOMS = re.compile(re.sub(r"(?<!\[) (?![?\\])", r"\\s+", _SAYINGS))
+_MARKS = re.compile(r"^( *)(?:\*\*)?(\d+)\. ", re.MULTILINE)
+
+
+def marks(text: str) -> Iterator[Span]:
+    """The numbers of lists, which count."""
+    last = 0
+    for match in _MARKS.finditer(text):
+        if int(match[2]) in (1, last + 1):
+            last = int(match[2])
+            yield match.span()
+
+
+def idioms(text: str) -> Iterator[Span]:
+    """Names of particles, and bounds that are 0."""
+    yield from (match.span() for match in IDIOMS.finditer(text))
 
 
 def covered(page: str, text: str) -> Iterator[Span]:
     """What the rules of this file cover."""
-    for rule in (formulas, equations, labels):
+    for rule in (formulas, equations, labels, marks, idioms):
         yield from rule(text)
     yield from shown(page, text)
-    for pattern in (IDIOMS, _MARKS):
-        yield from (match.span() for match in pattern.finditer(text))
 
 
 def unwatched(page: str, spans: list[Span]) -> list[tuple[int, str]]:

@@ -30,6 +30,7 @@ from verify.paper.source import PAPER
 from verify.prover.decimals import inside, short
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.outcome import EXIT_CODES
+from verify.spheres.limit_map import Parameters
 from verify.spheres.scene.criteria import SAYS_OF_UNEQUAL
 from verify.spheres.scene.decide import MAX_COLLISIONS
 from verify.spheres.scene.sampling import CELLS
@@ -247,6 +248,13 @@ def half(draw: random.Random) -> Mapping[str, Any]:
     """The tangent of half an angle, and the cosine."""
     a = mpf(draw.uniform(0, 3))
     return {"t": mp.tan(a / 2), "C": mp.cos(a)}
+
+
+def admissible(draw: random.Random) -> Mapping[str, Any]:
+    """r and α₀ as in Theorem 1, with two fixed points."""
+    r = mpf(draw.uniform(0.001, 0.05))
+    c = mpf(draw.uniform(float(2 * r ** (mpf(1) / 3) * (1 + r ** (mpf(1) / 3)) / (1 + r)), 1))
+    return {"r": r, "α": (1 + r) / 2 * c}
 
 
 def sine(draw: random.Random) -> Mapping[str, Any]:
@@ -627,3 +635,43 @@ said(P, "δ = min(q/2, 1/10)", by=coded("δ=min(q/2,1/10)", P, 'delta = "min(q/2
 said(P, "2(q + x) with", by=coded("2(q+x)", P, 'slope = "2*(q + x) <= 1 - h"'))
 said(P, "1 - 2(q + δ) > 0", by=coded("1-2(q+δ)>0", P, 'h = "1 - 2*(q + delta)"'))
 said(P, "2(q + x) - (1 - h)", by=coded("2(q+x)-(1-h)", P, 'slope = "2*(q + x) <= 1 - h"'))
+
+# --- points and bounds that several pages name ----------------------------------------------------
+
+POINT = row("theorem1-r-3-100", "C_eta-below-one")
+said("docs/explanation/accusations.md", "-cos θ₀ = 1/2,", by=row("theorem1-r-3-100", "r_stabi-gives-fixed-points"))
+said("docs/tutorials/referee.md", "and -cos θ₀ = 1/2: there", by=row("printed-sign", "printed-angle"))
+said("docs/explanation/literature.md", "s₁ = 1", by=THEOREMS[2].replace("s_1", "s₁"))
+MOVES = coded("", "docs/explanation/literature.md", 'velocities = [[0, 0], ["-0.1", 0], ["-(1-t**2)/(1+t**2)"')
+said("docs/explanation/literature.md", "particle 1 parts slowly", by="1" + MOVES)
+P = "docs/explanation/proof.md"
+said(P, "α₀ - φ⁻ < 1, and the", by=true("α - (α - √(α² - 4r))/2 < 1", admissible) + "α₀-φ⁻<1")
+said(P, "C_η < 1 |", by=POINT)
+said(P, "ζ_n < 1, so", by=row("theorem1-r-3-100", "Cnd3").replace("ζ̄ < 1", "ζ_n < 1,"))
+UNIT = dict(zip(("neg_cos", "ratio"), map(str, Parameters(Fraction(3, 100), Fraction(1), Fraction(1))[1:]), strict=True))
+said("docs/explanation/sandwich.md", "-cos θ = {}, equal", UNIT["neg_cos"])
+P = "docs/explanation/separatrix.md"
+said(P, "(for ρ = {}, to", UNIT["ratio"])
+said(P, "if ρ = {}.", UNIT["ratio"])
+said(P, "the particles 0-1 and 0-2 do not", by=coded("0-1 0-2", "docs/explanation/sandwich.md", "0-1 and 0-2 do not go on colliding in turn"))
+PLANE = json.loads(file("certificates/map/strip/map.json"))["plane"]
+said(P, "At r = {}, -cos θ = {} and the closing speed {},", told(PLANE["r"]), PLANE["neg_cos"], PLANE["speed"])
+said("docs/explanation/sharper.md", "p + Y < 1 |", by=coded("p+Y<1", "verify/paper/sharper/state.py", '"decay-positive": 0 < 1 - ratio'))
+said("docs/howto/cite.md", "[2],", by="[2]")
+said("docs/index.md", "at r = {},", R)
+said("docs/reference/glossary.md", "if ζ < 1.", by=row("step", "start-Cnd3").replace("0 < 1 -", "ζ<1."))
+said("docs/tutorials/page-of-constants.md", "t₁ = 1 and t' =", by=coded("t₁=1", "docs/tutorials/page-of-constants.md", "start = { k = 1, t = 1 }"))
+said(
+    "docs/tutorials/page-of-constants.md",
+    "(1 + √(1 + 4t²))/2, and the proof needs t_k ≥ (k + 1)/2:",
+    by=coded("(1+√(1+4t²))/2,", "docs/tutorials/page-of-constants.md", "(1 + sqrt(1 + 4*t^2))/2")
+    + coded("t_k≥(k+1)/2", "docs/tutorials/page-of-constants.md", "(k + 1)/2 <= t"),
+)
+P = "docs/tutorials/three-particles.md"
+said(
+    P,
+    "particle 1 comes from the right, particle 2 from the left, and particle 0 rests",
+    by=coded("1 2 0", P, "positions  = [[0, 0], [1.002, 0], [-1.004, 0.06]] velocities = [[0, 0], [-1.5, 0]"),
+)
+said(P, "and -cos θ = 1.", by=true("-C = 1", lambda draw: {"C": mp.cos(mp.pi)}).replace("-C", "-cosθ"))
+said(P, "< 1 |", by=row("step", "start-Cnd3").replace("0 < 1 -", "1"))

@@ -222,12 +222,9 @@ JUDGES = {
 
 def believed() -> str:
     """What is believed, in short, as it stands in README.md."""
+    ours = "that our rows say what the paper says"
     rows = [
-        (
-            "any command",
-            "the assumptions that are listed with the verdict, and that our rows say what the "
-            "paper says",
-        ),
+        ("any command", f"the assumptions that are listed with the verdict, and {ours}"),
         *((run, BELIEVED[judge]) for run, judge in JUDGES.items()),
         (
             "`verify/coq/build`",

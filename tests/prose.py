@@ -17,7 +17,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from functools import cache
-from pathlib import Path
 
 from mpmath import mpf, sqrt, workdps
 
@@ -33,7 +32,10 @@ PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 WATCHED = re.compile(r"[\d⁰¹²³⁴⁵⁶⁷⁸⁹√]")
 _CODE = re.compile(r"^ *(```+)(?!\{glossary|\{note)[^\n]*\n.*?^ *\1[ ]*$", re.MULTILINE | re.DOTALL)
 _GENERATED = re.compile(r"<!--.*?-->|\{\{.*?\}\}", re.DOTALL)
-_INLINE = re.compile(r"`[^`\n]*\n?[^`\n]*`|<code>.*?</code>|\]\([^)\s]*\)|https?://[^\s)]+|^(?::::|''')[^\n]*", re.MULTILINE)
+_INLINE = re.compile(
+    r"`[^`\n]*\n?[^`\n]*`|<code>.*?</code>|\]\([^)\s]*\)|https?://[^\s)]+|^(?::::|''')[^\n]*",
+    re.MULTILINE,
+)
 _BETWEEN = re.compile(r'[\s,;:()"]+')
 #: Words of which a formula is made; a sentence or a cell ends it.
 _WORD = (
@@ -83,7 +85,9 @@ def stands(formula: str) -> bool:
     start = text.find(formula)
     while start >= 0:
         before = written()[max(0, places[start] - 1) : places[start]]
-        after = written()[places[start + len(formula) - 1] + 1 : places[start + len(formula) - 1] + 2]
+        after = written()[
+            places[start + len(formula) - 1] + 1 : places[start + len(formula) - 1] + 2
+        ]
         if not (_JOINS.match(before) and _BEGINS.match(formula[0])) and not (
             _ENDS.match(formula[-1]) and (_ENDS.match(after) or after == ".")
         ):
@@ -113,8 +117,12 @@ def formulas(text: str) -> Iterator[Span]:
     for match in CHUNK.finditer(text):
         words = [m.span() for m in re.finditer(r"\S+", match[0])]
         first = 0
-        while first < len(words):  # the longest row of words from each one on
-            for last in range(len(words), first, -1):
+        while first < len(words):
+            sign = match[0][slice(*words[first])]
+            if sign in "+-=<>≤≥":  # what stands before it is missing
+                first += 2 if sign in "+-" else 1
+                continue
+            for last in range(len(words), first, -1):  # the longest row of words from here on
                 span = match.start() + words[first][0], match.start() + words[last - 1][1]
                 formula = plain(text[slice(*span)]).strip(",.;:")
                 if is_formula(formula) and stands(formula):
@@ -130,6 +138,8 @@ def is_formula(text: str) -> bool:
     A letter with its value is none: that is an entry.
     """
     if len(text) < 5 or re.fullmatch(r"[^<>=≤≥+/()]+[=<≤]-?[\d./⁻¹²³⁰-⁹]+", text):
+        return False
+    if re.fullmatch(r"[^<>=≤≥/√]_\{[^}]*\}", text):
         return False
     return re.search("[<>=≤≥+/√-]", text[1:-1]) is not None
 
@@ -162,7 +172,7 @@ def shown(page: str, text: str) -> Iterator[Span]:
     """Numbers of three digits and more that a block of the page shows, or is given."""
     known = blocks(page)
     for match in re.finditer(r"[^\s|*]*\d[^\s|*]*", text):
-        word = match[0].strip(",.;:()[]\"*?")
+        word = match[0].strip(',.;:()[]"*?')
         if len(re.findall(r"\d", word)) >= 3 and f" {word} " in known:
             yield match.span()
 
@@ -170,12 +180,16 @@ def shown(page: str, text: str) -> Iterator[Span]:
 def labels(text: str) -> Iterator[Span]:
     """Labels of the paper that exist: (4.10), Theorem 1, Section 4.2, Cnd7."""
     numbers = set(printed_numbers().values())
-    numbers |= {f"Section {number[1]}" for number in numbers if number.startswith("(")} | {"Section 1"}
+    numbers |= {f"Section {number[1]}" for number in numbers if number.startswith("(")} | {
+        "Section 1"
+    }
     for match in re.finditer(r"\(\d\.\d+\)", text):
         if match[0] in numbers:
             yield match.span()
     kinds = "Theorem|Proposition|Definition|Lemma|Remark|Section"
-    for match in re.finditer(rf"\b({kinds})s?\s+(\d(?:\.\d)?(?:(?:,| and| to)\s+\d(?:\.\d)?)*)", text):
+    for match in re.finditer(
+        rf"\b({kinds})s?\s+(\d(?:\.\d)?(?:(?:,| and| to)\s+\d(?:\.\d)?)*)", text
+    ):
         parts = re.findall(r"\d(?:\.\d)?", match[2])
         if all(f"{match[1]} {part}" in numbers for part in parts):
             yield match.span()
@@ -183,16 +197,17 @@ def labels(text: str) -> Iterator[Span]:
         yield match.span()
 
 
-#: The particles of the paper are 0, 1 and 2, and a bound or a limit that is 0 is no measured number.
+#: The particles of the paper are 0, 1 and 2, and a bound or a limit that is 0 is not measured.
 _SAYINGS = (
-    r"\bparticles 0 and 1\b|\b0-1 and 0-2\b|\b0-2, 0-1, 0-2\b|\b02, 01, 02\b"
-    r"|(?<!and[ \n])\b(?:0-[12]|1-2)\b(?! and [012]-|, [012]-)|\bthat of 1\b|\b0 and [12c]\b|\b1 and 2\b"
-    r"|\b(?:[Pp]articles?|balls?|spheres?|at|of|from|where|measure|momentum|reaches|up to) 0\b(?!\.?\d)"
-    r"|\b(?:tends?|falls?) to 0\b|[<>≥≤=→≠] 0\b(?!\.\d)|\b0 <|\b(?:is|not|be|by|least|divides|are) 0\b"
-    r"|\bbetween 0 and 1\b|\]0, ?1[\]\[]|Velázquez \[1\],|verify-collapse \[2\],|SMT-LIB 2\b"
-    r"|\b(?:above|below|exceeds?|than|most|exceed) 1\b(?!\.\d)"
+    r"\bparticles 0 and 1\b|\b0-1 and 0-2\b|\b0-2, 0-1, 0-2\b|\b02, 01, 02\b|\bthat of 1\b",
+    r"(?<!and[ \n])(?<!,[ \n])\b(?:0-[12]|1-2)\b(?! and [012]-|, [012]-)|\b1 and 2\b",
+    r"(?<!between[ \n])\b0 and [12c]\b|\bbetween 0 and [c1]\b|\]0, ?1[\]\[]|SMT-LIB 2\b",
+    r"\b(?:[Pp]articles?|balls?|spheres?|at|of|from|where|measure|momentum) 0\b(?!\.?\d)",
+    r"\b(?:tends?|falls?|up) to 0\b|\breaches 0\b|[<>≥≤=→≠] 0\b(?!\.\d)|\b0 <",
+    r"\b(?:is|not|be|by|least|divides|are) 0\b|Velázquez \[1\],",
+    r"\b(?:above|below|exceeds?|than|most|exceed) 1\b(?!\.\d)",
 )
-IDIOMS = re.compile(re.sub(r"(?<!\[) (?![?\\])", r"\\s+", _SAYINGS))
+IDIOMS = re.compile(re.sub(r"(?<!\[) (?![?\\])", r"\\s+", "|".join(_SAYINGS)))
 _MARKS = re.compile(r"^( *)(?:\*\*)?(\d+)\. ", re.MULTILINE)
 
 
@@ -223,8 +238,8 @@ def unwatched(page: str, spans: list[Span]) -> list[tuple[int, str]]:
     free = bytearray(b"\1" * len(text))
     for start, end in spans:
         free[start:end] = bytes(end - start)
-    found = []
-    for match in re.finditer(r"\S+", text):
-        if any(free[match.start() + m.start()] for m in WATCHED.finditer(match[0])):
-            found.append((text.count("\n", 0, match.start()) + 1, match[0]))
-    return found
+    return [
+        (text.count("\n", 0, word.start()) + 1, word[0])
+        for word in re.finditer(r"\S+", text)
+        if any(free[word.start() + found.start()] for found in WATCHED.finditer(word[0]))
+    ]

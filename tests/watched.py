@@ -1,322 +1,74 @@
-"""What the prose of the pages says in numbers, each from the program that computes or proves it.
-
-``said("docs/x.md", "at most {} bits", MAX)`` puts values of the program into the gaps of a text.
-What stands beside the gaps may have digits only if ``by`` has them, word for word: a row of a
-committed certificate, a sentence of the program, a file, or a formula that is computed (`true`).
-Figures that were measured once, and that no program computes again, are in `measured.json` with
-what was run; a page repeats them.
-"""
+"""What the prose of the pages says in numbers, page by page: see `tests.facts`."""
 
 from __future__ import annotations
 
 import json
 import random
 import re
-import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
-from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
 from mpmath import mp, mpf
 
-from docs.generated import document, figures, in_coq, point, sentences_of
-from tests.prose import CERTIFICATES, CHUNK, ROOT, WATCHED, plain
+from docs.generated import document, in_coq, point
+from tests.facts import (
+    AT,
+    COUNTED,
+    ENTRIES,
+    KINDS,
+    MEASURED,
+    NUMBERS,
+    PYPROJECT,
+    C,
+    F,
+    R,
+    admissible,
+    angle,
+    between,
+    coded,
+    confidence,
+    constant,
+    digits,
+    digits_of,
+    file,
+    given,
+    half,
+    in_line,
+    in_thousands,
+    limit_map,
+    percent,
+    row,
+    said,
+    sentences,
+    separatrix_at,
+    sides,
+    sine,
+    strip_border,
+    told,
+    true,
+    turned,
+)
 from verify.check import EXIT_CODES as OF_CHECKER
 from verify.cli import OWN_ERROR, USAGE_ERROR
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
-from verify.paper.commands.theorem1 import decide_point
 from verify.paper.source import PAPER
 from verify.prover.decimals import inside, short
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.outcome import EXIT_CODES
 from verify.spheres.limit_map import Parameters
 from verify.spheres.scene.criteria import SAYS_OF_UNEQUAL
-from verify.spheres.scene.decide import MAX_COLLISIONS
 from verify.spheres.scene.sampling import CELLS
 from verify.spheres.scene.scene_files import MAX_DIMENSION
-from verify.views import words
 from verify.views.classification import THEOREMS
 from verify.views.plots.map_colours import STEPS
-from verify.views.point import final_angle
 from verify.wire.text.roots import DIGITS as ROOT_DIGITS
-
-Samples = Callable[[random.Random], Mapping[str, Any]]
-
-
-class Said(NamedTuple):
-    """A text of a page (of all pages, if that is empty), as the program makes it."""
-
-    page: str
-    text: str
-
-
-#: How small numbers are written.
-NUMBERS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine")
-
-ENTRIES: list[Said] = []
-
-
-def said(page: str, template: str, *values: object, by: str = "") -> None:
-    """Watch a text.
-
-    Raises:
-        ValueError: if it has a number of its own that nothing proves.
-    """
-    known = plain(by)
-    for match in CHUNK.finditer(template.replace("{}", " | ")):
-        own = plain(match[0]).strip(",.;:*=+<≤%")
-        if WATCHED.search(own) and own not in known:
-            raise ValueError(f"{template!r}: nothing says {own!r}")
-    parts, gaps = template.split("{}"), [*map(str, values), ""]
-    ENTRIES.append(Said(page, "".join(a + b for a, b in zip(parts, gaps, strict=True))))
-
-
-# --- formulas that are computed -------------------------------------------------------------------
-
-_TOKEN = re.compile(
-    r"\s*(\|[^|]+\||√|\*\*|exp|atan|[⁰¹²³⁴⁵⁶⁷⁸⁹]+|\d+(?:\.\d+)?|[A-Za-zαβγδζηθκρσφΓπ]"
-    r"(?:_[a-z0-9]+|[₀-₉]+)?'?|.)"
-)
-_UP = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
-
-
-def python(text: str, names: Mapping[str, Any]) -> str:
-    """A formula in the paper's notation, in that of Python; products have no sign."""
-    found: list[str] = []
-    for token in _TOKEN.findall(re.sub(r"√([\d.]+|[a-z])", r"√(\1)", text.strip())):
-        known = token in names
-        starts = known or token[0].isdecimal() or token in ("(", "√", "exp", "atan", "π")
-        if starts and found and (found[-1][-1] in "])" or found[-1].startswith("mpf")):
-            found.append("*")
-        if known:
-            found.append(f"names[{token!r}]")
-        elif token[0] in "⁰¹²³⁴⁵⁶⁷⁸⁹":
-            found.append(f"**({token.translate(_UP)})")
-        elif token[0].isdecimal():
-            found.append(f"mpf('{token}')")
-        elif token == "^":
-            found.append("**")
-        elif token in ("√", "exp", "atan", "π"):
-            found.append({"√": "mp.sqrt", "π": "(mp.pi)"}.get(token, f"mp.{token}"))
-        elif token in "()+-/":
-            found.append(token)
-        else:
-            raise ValueError(f"{text!r}: {token!r} is not understood")
-    return " ".join(found)
-
-
-def true(text: str, names: Samples) -> str:
-    """The text, an equation or inequality that holds at random points, its parts from the left.
-
-    Raises:
-        ValueError: if it is false.
-    """
-    draw = random.Random(text)
-    left, *rest = re.split(r"(=|≤|≥|<|>)", text)
-    if not rest:
-        raise ValueError(f"{text!r} compares nothing")
-    with mp.workdps(40):
-        for _ in range(20):
-            values = names(draw)
-            before = computed(left, values)
-            for sign, part in zip(rest[::2], rest[1::2], strict=True):
-                after = computed(part, values)
-                near = abs(before - after) <= mpf(10) ** -30 * max(1, abs(after))
-                found = {"=": near, "≤": before <= after or near, "≥": before >= after or near}
-                if not (found | {"<": before < after, ">": before > after})[sign]:
-                    raise ValueError(f"{text!r} is false")
-                before = after
-    return text
-
-
-def computed(text: str, names: Mapping[str, Any]) -> Any:
-    """The value of a formula."""
-    return eval(python(text, names), {"names": names, "mp": mp, "mpf": mpf})
-
-
-def between(low: float, high: float, *letters: str) -> Samples:
-    """Letters with independent values in an interval."""
-    return lambda draw: {letter: mpf(draw.uniform(low, high)) for letter in letters}
-
-
-# --- what the program says ------------------------------------------------------------------------
-
-
-@cache
-def row(folder: str, name: str) -> str:
-    """What the report of a committed certificate has of a row, verdict first."""
-    text = (CERTIFICATES / folder / "report.md").read_text(encoding="utf-8")
-    found = [line for line in text.split("\n") if re.match(rf"\| [^|]*\| `{re.escape(name)}` \|", line)]
-    if not found or "undecided" in "".join(line.split("|")[1] for line in found):
-        raise ValueError(f"{folder}: {name} is no row that is decided")
-    return "\n".join(found)
-
-
-def sides(name: str, digits: int = 3) -> list[str]:
-    """Both sides of a printed row at the point of the pages, as the screen shows them."""
-    (found,) = (r for r in point()["sets"]["printed"]["obligations"] if r["name"] == f"printed.{name}")
-    ends = (tuple(map(Fraction, found[side])) for side in ("lhs", "rhs"))
-    return [short(pair, digits).rstrip("…") for pair in ends]
-
-
-@cache
-def here() -> Any:
-    """The outcome at the point."""
-    from tests.points import parameters
-
-    return decide_point(parameters("3/100", "1"))
-
-
-@cache
-def angle() -> tuple[str, str]:
-    """Up to which δ_θ `final-angle` fails at the point, and by which factor."""
-    found = re.findall(r"δ_θ ≤ (\S+), .* by up to (\S+) δ_θ", final_angle(here()))
-    return found[0]
-
-
-def constant(name: str) -> Fraction:
-    """A rounded constant of the repaired set at the point."""
-    return Fraction(words.definitions_of(here())[f"repaired.{name}"].value)
-
-
-def told(value: object, digits: int = 3) -> str:
-    """A number with the digits that are certain."""
-    number = Fraction(str(value))
-    return short((number, number), digits)
-
-
-F = figures()
-MEASURED = json.loads((ROOT / "tests/measured.json").read_text(encoding="utf-8"))
-PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-#: The point that the pages speak about.
-R, C = told(point()["parameters"]["r"]), point()["parameters"]["neg_cos_theta0"]
-AT = f"r = {R}, θ₀ = π"
-KINDS = [one["kind"] for one in point()["assumptions"]]
-COUNTED = sum(
-    one["verdict"] != "proved" for one in (*point()["hypotheses"], *point()["sets"]["printed"]["obligations"])
-)
-
-
-def sentences(folder: str) -> tuple[int, int]:
-    """How many sentences a verdict rests on that are no definitions or are, and Coq's among them."""
-    found = sentences_of(folder)
-    return len(found), sum(proved and "(" not in name for name, proved in found)
-
-
-def percent(part: int, whole: int) -> str:
-    """A share in percent, rounded to one decimal."""
-    tenths = int(Fraction(1000 * part, whole) + Fraction(1, 2))
-    return f"{tenths // 10}.{tenths % 10}"
-
-
-def in_thousands(number: int) -> str:
-    """As the pages write it."""
-    return f"{number:,}".replace(",", " ")
-
-
-
-def file(path: str) -> str:
-    """The text of a file of the project."""
-    return (ROOT / path).read_text(encoding="utf-8")
-
-
-def coded(text: str, path: str, code: str) -> str:
-    """The text, of which a file of the project says the same in its own notation.
-
-    Raises:
-        ValueError: if it does not.
-    """
-    if " ".join(code.split()) not in " ".join(file(path).split()):
-        raise ValueError(f"{text!r}: {path} does not say {code!r}")
-    return text
-
-
-def digits(formula: str, count: int) -> str:
-    """A number without letters, cut to so many digits."""
-    with mp.workdps(40):
-        ends = Fraction(str(computed(formula, {})))
-    return told(ends, count).rstrip("…")
-
-
-def digits_of(ends: list[str], count: int) -> str:
-    """An enclosure, rounded to so many decimals."""
-    return f"{float(Fraction(ends[0])):.{count}f}"
-
-
-def half(draw: random.Random) -> Mapping[str, Any]:
-    """The tangent of half an angle, and the cosine."""
-    a = mpf(draw.uniform(0, 3))
-    return {"t": mp.tan(a / 2), "C": mp.cos(a)}
-
-
-def admissible(draw: random.Random) -> Mapping[str, Any]:
-    """r and α₀ as in Theorem 1, with two fixed points."""
-    r = mpf(draw.uniform(0.001, 0.05))
-    c = mpf(draw.uniform(float(2 * r ** (mpf(1) / 3) * (1 + r ** (mpf(1) / 3)) / (1 + r)), 1))
-    return {"r": r, "α": (1 + r) / 2 * c}
-
-
-def sine(draw: random.Random) -> Mapping[str, Any]:
-    """A number with its arc sine and its arc cosine."""
-    x = mpf(draw.uniform(-1, 1))
-    return {"x": x, "A": mp.asin(x), "C": mp.acos(x)}
-
-
-def in_line(draw: random.Random) -> Mapping[str, Any]:
-    """Three particles in line that touch, the sum of the masses, and Σ m|x|² about their centre."""
-    o, a, b, left, right = (mpf(draw.uniform(1, 2)) for _ in range(5))
-    masses, places = (o, a, b), (mpf(0), -left, right)
-    centre = sum(m * x for m, x in zip(masses, places, strict=True)) / sum(masses)
-    spread = sum(m * (x - centre) ** 2 for m, x in zip(masses, places, strict=True))
-    names = {"m_o": o, "m_a": a, "m_b": b, "σ_oa": left, "σ_ob": right}
-    return names | {"M": sum(masses), "B": spread}
-
-
-def turned(draw: random.Random) -> Mapping[str, Any]:
-    """Numbers with A²R₀² < (R₀² - B)L²."""
-    R, A, L, t = (mpf(draw.uniform(1, 2)) for _ in range(4))
-    return {"R₀": R, "A": -A, "L": L, "t": t, "B": R**2 - A**2 * R**2 / L**2 - 1}
-
-
-def confidence() -> tuple[str, str]:
-    """How often the intervals of a sample may miss, by default and in the example."""
-    from verify.cli.scene import USAGE
-
-    found = re.findall(r"default (\d+)%", USAGE.meanings["--confidence P%"])[0]
-    return str(100 - int(found)), "1"
-
-
-def strip_border() -> str:
-    """φ₂ on the border of the committed map of a strip, where φ₁ = 1/100."""
-    plane = json.loads(file("certificates/map/strip/map.json"))["plane"]
-    if Fraction(plane["x"][0]) != Fraction(1, 100):
-        raise ValueError("the strip begins elsewhere")
-    return f"{float(Fraction(plane['curve'][0][0])):.4f}"
-
-
-def separatrix_at(q: str) -> str:
-    """φ₂ on the separatrix."""
-    found = document("separatrix", "--r", "0.03", "--at", q)
-    return f"{float(Fraction(found['f']['phi_2'][0])):.4f}"
-
-
-def limit_map(draw: random.Random) -> Mapping[str, Any]:
-    """A state of the limit map with its image, as `verify/coq/Separatrix.v` defines it."""
-    r, α, ρ, u, q = (mpf(draw.uniform(0.01, 0.2)) for _ in range(5))
-    p = α * 4 * (1 - u) - q * mpf("0.1") - ρ * u
-    φ = q * mpf("0.1")
-    square = ρ * u * (2 * φ + ρ * u) / p**2
-    new = 1 - mp.sqrt(1 - square) if square <= 1 else mp.nan
-    names = {"r": r, "α": 4 * α, "ρ": ρ, "u": u, "φ₁": φ, "p": p, "u'": new}
-    return names | {"φ₂": u * (2 - u) / 2, "|W_c|": mpf(1)} if square < 1 else limit_map(draw)
-
 
 # --- everywhere -----------------------------------------------------------------------------------
 
 said("", "{}", PAPER.title)
 said("", "({})", PAPER.companion)
-said("", "SHA-256", by="SHA-256" * (len(PAPER.source()) == 64))
+said("", "SHA-256", by=given("SHA-256", len(PAPER.source()) == 64))
 said("", "Python {} or newer", PYPROJECT["project"]["requires-python"].removeprefix(">="))
 said("", "φ₂ = d/η_c²", by=file("verify/views/map.py"))
 
@@ -325,8 +77,17 @@ said("", "φ₂ = d/η_c²", by=file("verify/views/map.py"))
 said(
     "README.md",
     "{} of its claims are refuted at {}, or at another point that is named. {} of the {}, with {} "
-    "causes, break the argument; {} are false but harmless; {} are slips of wording. The {} causes:",
-    *(F["refuted"], AT, F["breaking"], F["refuted"], F["breaking_causes"], F["harmless"], F["slips"]),
+    "causes, break the argument; {} are false but harmless; {} are slips of wording. The {} "
+    "causes:",
+    *(
+        F["refuted"],
+        AT,
+        F["breaking"],
+        F["refuted"],
+        F["breaking_causes"],
+        F["harmless"],
+        F["slips"],
+    ),
     F["breaking_causes"],
 )
 said("README.md", "more than δ₂²", by=row("theorem1-r-3-100", "zeta-term-2"))
@@ -341,7 +102,11 @@ said(
     "README.md",
     "*Given {} assumptions*: a definition (what hard spheres do), {} textbook theorems, and {} "
     "sentences of *glue*",
-    *(len(KINDS), NUMBERS[KINDS.count("general mathematics")], NUMBERS[KINDS.count("numbered glue")]),
+    *(
+        len(KINDS),
+        NUMBERS[KINDS.count("general mathematics")],
+        NUMBERS[KINDS.count("numbered glue")],
+    ),
 )
 CODES = (
     *(EXIT_CODES[PROVED], EXIT_CODES[REFUTED], USAGE_ERROR, EXIT_CODES[UNDECIDED]),
@@ -365,9 +130,21 @@ said(
 
 said("docs/contributing/command.md", "the exit code {} follows", USAGE_ERROR)
 said("docs/contributing/row.md", "δ₂ < 1/2", by=file("docs/contributing/row.md").split("```")[1])
-said("docs/contributing/row.md", "Until step 4 is done", by="step 4" * ("**4. Make the cert" in file("docs/contributing/row.md")))
-said("docs/contributing/rule.md", "0 ≤ √a, if 0 ≤ a", by="0 ≤ √a 0 ≤ a" * ("proves `0 <= sqrt(a)`, if `0 <= a`" in file("docs/contributing/rule.md")))
-said("docs/contributing/rule.md", "then steps 1 to 3 of", by="1 to 3" * ("**3. Try it" in file("docs/contributing/technique.md")))
+said(
+    "docs/contributing/row.md",
+    "Until step 4 is done",
+    by=given("step 4", "**4. Make the cert" in file("docs/contributing/row.md")),
+)
+said(
+    "docs/contributing/rule.md",
+    "0 ≤ √a, if 0 ≤ a",
+    by=coded("0≤√a 0≤a", "docs/contributing/rule.md", "proves `0 <= sqrt(a)`, if `0 <= a`"),
+)
+said(
+    "docs/contributing/rule.md",
+    "then steps 1 to 3 of",
+    by=given("1 to 3", "**3. Try it" in file("docs/contributing/technique.md")),
+)
 
 # --- docs/explanation/accusations.md --------------------------------------------------------------
 
@@ -391,7 +168,11 @@ said(A, "4n - 1 counts", by=row("elsewhere", "dimension"))
 said(A, "'1 +' is missing", by=" ".join(text for _, text in PAPER.notes().causes))
 said(A, "fails for 1/n²", by=row("elsewhere", "forced-exponential"))
 said(A, "has √r", by=row("spectrum", "rate-complex"))
-said(A, "r = 10⁻⁶, -cos θ₀ = 1/20", by=coded("r = 10⁻⁶, -cosθ₀ = 1/20", "tests/points.py", '("1/1000000", "1/20")'))
+said(
+    A,
+    "r = 10⁻⁶, -cos θ₀ = 1/20",
+    by=coded("r = 10⁻⁶, -cosθ₀ = 1/20", "tests/points.py", '("1/1000000", "1/20")'),
+)
 
 # --- the other pages of docs/explanation ----------------------------------------------------------
 
@@ -426,14 +207,19 @@ said(P, "{}…, and II", digits("9 - 4√5", 3))
 said(
     P,
     "α ≥ r^(1/3) + r^(2/3)",
-    by="α ≥ " + true(
-        "r^(1/3) + r^(2/3) = (1 + r)/2 2r^(1/3)(1 + r^(1/3))/(1 + r)", between(0.01, 0.9, "r")
-    ),
+    by="α ≥ "
+    + true("r^(1/3) + r^(2/3) = (1 + r)/2 2r^(1/3)(1 + r^(1/3))/(1 + r)", between(0.01, 0.9, "r")),
 )
 
 P = "docs/explanation/coq.md"
 V = "verify/coq/Theorem1.v"
-said(P, "3rα₀ + r(1+r) < α₀³", by=coded("3rα₀+r(1+r)<α₀³", V, "3 * r * ((1 + r) / 2 * c) + r * (1 + r) < ((1 + r) / 2 * c) ^ 3"))
+said(
+    P,
+    "3rα₀ + r(1+r) < α₀³",
+    by=coded(
+        "3rα₀+r(1+r)<α₀³", V, "3 * r * ((1 + r) / 2 * c) + r * (1 + r) < ((1 + r) / 2 * c) ^ 3"
+    ),
+)
 said(P, "d_slope · η_c²", by=coded("d_slopeη_c²", V, "d_slope * y ^ 2"))
 said(P, "the distance 1 + d₀", by=coded("1+d₀", V, "1 + d_0"))
 said(P, r"\|Δθ\|/4 instead", by=coded("|Δθ|/4", V, "Delta_theta / 4"))
@@ -441,13 +227,25 @@ said(P, "particles 0, 1, 2 |", by=coded("0,1,2", V, "ball : Set := B0 | B1 | B2"
 said(P, "2 is at the distance", by=coded("2", V, "distance d s B0 B2 = 1 + d_0"))
 said(P, "for d ≥ 2", by=coded("d≥2", V, "(2 <= d)%nat"))
 said(P, "and d ≥ 2:", by=coded("d≥2", "verify/coq/PinnedPrintedSet.v", "(2 <= d)%nat"))
-said(P, "each of the 6d coordinates", by=coded("6d", V, "position low i k < position high i k /\\ velocity low i k < velocity high i k") * (3 * 2 == 6))
+said(
+    P,
+    "each of the 6d coordinates",
+    by=coded(
+        "6d", V, "position low i k < position high i k /\\ velocity low i k < velocity high i k"
+    ),
+)
 third = (constant("V_1") - 1) / 3
 said(P, "in [{}, {}];", *inside((1 + third, constant("V_1") - third), 6))
 said(P, "by the time {} and", short((constant("T_star"),) * 2))
 said(P, "within {} of {}.", told(point()["parameters"]["delta_theta"]), C)
 M = MEASURED["coq"]
-said(P, "Coq {} and the packages that Debian {} has for it: coq, libcoq-interval ({})", in_coq()["coq"], M["debian"], M["interval"])
+said(
+    P,
+    "Coq {} and the packages that Debian {} has for it: coq, libcoq-interval ({})",
+    in_coq()["coq"],
+    M["debian"],
+    M["interval"],
+)
 said(P, "Debian {}, Coq {} and Interval {},", M["next debian"], M["next coq"], M["next interval"])
 
 P = "docs/explanation/kernel.md"
@@ -465,12 +263,31 @@ said(P, "since the {},", M["since"])
 said(P, "(*Phys. Fluids A* **{}**, {}, {})", *M["McNamara and Young"])
 said(P, "(*Phys. Rev. E* **{}**, {}, {}) state", *M["Zhou and Kadanoff"])
 said(P, "(*Phys. Rev. E* **{}**, {}, {}) add", *M["Schörghofer and Zhou"])
-said(P, "The numbers {}, {} and {} are", *re.findall(r"disperses: after (\d+) collisions", file(P))[:3])
+said(
+    P,
+    "The numbers {}, {} and {} are",
+    *re.findall(r"disperses: after (\d+) collisions", file(P))[:3],
+)
 said(P, "cos θ > 2√r", by=true("4√r/(1+r) (1+r)/2 = 2√r", between(0.01, 0.9, "r")) + "cosθ>2√r")
-said(P, "from 0, and 2 comes", by=coded("0,2", P, '["1.5*(1-t**2)/(1+t**2)", "3*t/(1+t**2)"]') + "0 2")
+said(
+    P,
+    "from 0, and 2 comes",
+    by=coded("0,2", P, '["1.5*(1-t**2)/(1+t**2)", "3*t/(1+t**2)"]') + "0 2",
+)
 M = MEASURED["diagram"]
-said(P, "After {} boxes {} % of the rectangle collapse, {} % disperse, {} % have", in_thousands(M["boxes"]), M["collapses"], M["disperses"], M["finite"])
-said(P, "less than {} % is undecided", 1 + int(100 - sum(float(M[key]) for key in ("collapses", "disperses", "finite"))))
+said(
+    P,
+    "After {} boxes {} % of the rectangle collapse, {} % disperse, {} % have",
+    in_thousands(M["boxes"]),
+    M["collapses"],
+    M["disperses"],
+    M["finite"],
+)
+said(
+    P,
+    "less than {} % is undecided",
+    1 + int(100 - sum(float(M[key]) for key in ("collapses", "disperses", "finite"))),
+)
 
 P = "docs/explanation/proof.md"
 said(P, "only by {} ζ_n", terms[2])
@@ -495,10 +312,21 @@ said(
     *(in_thousands(M["first half"]), M["second half"]),
     by=M["run"],
 )
-said(P, "the {} were followed with {} digits, and another {} states of the first half with {}", M["second half"], in_thousands(M["digits"]), in_thousands(M["states"]), M["digits of the first"])
+said(
+    P,
+    "the {} were followed with {} digits, and another {} states of the first half with {}",
+    M["second half"],
+    in_thousands(M["digits"]),
+    in_thousands(M["states"]),
+    M["digits of the first"],
+)
 said(P, "1 - (1-U')² = ρU(2Q+ρU)/P²", by=row("sandwich", "U-next-law"))
 said(P, "|W_c'|²/(|W_s|²(1+d')²)", by=row("sandwich", "exact-u"))
-said(P, "most N+1 collisions", by=coded("N+1", "certificates/outside/report.md", "N + 1") if "N + 1" in file("certificates/outside/report.md") else "N+1" * ("n = 0 … N" in file("certificates/outside/report.md")))
+said(
+    P,
+    "most N+1 collisions",
+    by=coded("N+1", "certificates/outside/report.md", "n = 0 … N"),
+)
 said(P, "Γ bounds 1 + d, and", by=row("sandwich", "reach-here").replace("d ≤ Γ", "d,"))
 said(P, "1 - √(1-ζ), which", by=row("sandwich", "exact-p"))
 
@@ -506,49 +334,114 @@ P = "docs/explanation/separatrix.md"
 said(P, "becomes 1/ρ at", by=true("1/ρ = R", lambda draw: {"ρ": mpf(2), "R": mpf(1) / 2}))
 said(P, "u(2 - u) = 2 φ₂ |W_c|²;", by=true("u(2 - u) = 2 φ₂ |W_c|²", limit_map))
 said(P, "u'(2 - u') = ρu(2φ₁ + ρu)/p²", by=true("u'(2 - u') = ρu(2φ₁ + ρu)/p²", limit_map))
-said(P, "if and only if α > r^(1/3) + r^(2/3).*", by=coded("α>r^(1/3)+r^(2/3)", "verify/views/separatrix.py", "s + s² < a, where s³ = r"))
-said(P, "α ≥ r^(1/3) + r^(2/3)", by=coded("α≥r^(1/3)+r^(2/3)", "verify/views/classification.py", "2r^(1/3)(1+r^(1/3))/(1+r)"))
+said(
+    P,
+    "if and only if α > r^(1/3) + r^(2/3).*",
+    by=coded("α>r^(1/3)+r^(2/3)", "verify/views/separatrix.py", "s + s² < a, where s³ = r"),
+)
+said(
+    P,
+    "α ≥ r^(1/3) + r^(2/3)",
+    by=coded("α≥r^(1/3)+r^(2/3)", "verify/views/classification.py", "2r^(1/3)(1+r^(1/3))/(1+r)"),
+)
 said(P, "1 - u, φ₁ and", by=coded("1-u,φ₁", "verify/coq/SeparatrixProjective.v", "1 - u"))
 said(P, "u/q² after that", by=row("separatrix", "grows-next-weight"))
-said(P, "as long as q < s²,", by="q<s²" * ("q < s²" in file("certificates/separatrix/report.md")))
-said(P, "with q = s² go on", by="q=s²" * ("q_n ≥ s²" in file("certificates/separatrix/report.md")))
+said(P, "as long as q < s²,", by=coded("q<s²", "certificates/separatrix/report.md", "q < s²"))
+said(P, "with q = s² go on", by=coded("q=s²", "certificates/separatrix/report.md", "q_n ≥ s²"))
 STRIP, SEPARATRIX = strip_border(), separatrix_at("1/100")
-said(P, "has φ₂ = {} where φ₁ = {}. The separatrix has φ₂ = {} there, {} % more.", STRIP, "0.01", SEPARATRIX, round(100 * (float(SEPARATRIX) / float(STRIP) - 1)))
+said(
+    P,
+    "has φ₂ = {} where φ₁ = {}. The separatrix has φ₂ = {} there, {} % more.",
+    STRIP,
+    "0.01",
+    SEPARATRIX,
+    round(100 * (float(SEPARATRIX) / float(STRIP) - 1)),
+)
 M = MEASURED["scenes"]
 S = M["kinds"] * M["of each"]
 said(P, "on {} random scenes", in_thousands(S))
-said(P, "{} of each, with a seed fixed before and at most {} collisions each: {} collapse, {} disperse, {} are undecided.", M["of each"], M["collisions"], M["collapses"], M["disperses"], S - M["collapses"] - M["disperses"])
-for what in ("at the first, without the sandwich theorem", "at the first", "at the first, with its other half"):
+said(
+    P,
+    "{} of each, with a seed fixed before and at most {} collisions each: {} collapse, {} "
+    "disperse, {} are undecided.",
+    M["of each"],
+    M["collisions"],
+    M["collapses"],
+    M["disperses"],
+    S - M["collapses"] - M["disperses"],
+)
+for what in (
+    "at the first, without the sandwich theorem",
+    "at the first",
+    "at the first, with its other half",
+):
     said(P, "| {} | {} % |", M[what], percent(M[what], S))
 said(P, "these {} scenes are followed", M["at the first, with its other half"] - M["at the first"])
 said(P, "it applies to {} of the scenes", M["where its other half applies"])
-said(P, "alone decides {} of the {} collapses off a line at the first collision, the sandwich theorem these and {} more", M["by the sharper theorem alone"], M["collapses off a line"], M["by the sandwich theorem besides"])
+said(
+    P,
+    "alone decides {} of the {} collapses off a line at the first collision, the sandwich theorem "
+    "these and {} more",
+    M["by the sharper theorem alone"],
+    M["collapses off a line"],
+    M["by the sandwich theorem besides"],
+)
 said(P, "At {} states", M["states where the sandwich theorem comes later"])
 said(P, "{} more in all, of {}.", M["collisions more"], in_thousands(M["of collisions"]))
 said(P, "on {},", MEASURED["search"]["day"])
 
 P = "docs/explanation/sharper.md"
-said(P, "below 10⁻¹⁷ diameters", by=coded("10⁻¹⁷", P, "9.44·10⁻⁶") * (constant("d_slope") * constant("eta_bar") ** 2 < Fraction(1, 10**17)))
-said(P, "below κ η_c²", by=coded("κη_c²", "verify/paper/sharper/state.py", '"start-d-small": start.d <= k * start.y**2'))
-said(P, r"A, B, C are |W_c|², |W_s|²", by=coded("|W_c|²,|W_s|²", "verify/paper/commands/whole.py", '"A": ("|W_c|²"') + "|W_c|²,|W_s|²,")
+said(
+    P,
+    "below 10⁻¹⁷ diameters",
+    by=given("10⁻¹⁷", constant("d_slope") * constant("eta_bar") ** 2 < Fraction(1, 10**17)),
+)
+said(
+    P,
+    "below κ η_c²",
+    by=coded(
+        "κη_c²", "verify/paper/sharper/state.py", '"start-d-small": start.d <= k * start.y**2'
+    ),
+)
+said(
+    P,
+    r"A, B, C are |W_c|², |W_s|²",
+    by=coded("|W_c|²,|W_s|²", "verify/paper/commands/whole.py", '"A": ("|W_c|²"')
+    + "|W_c|²,|W_s|²,",
+)
 
 P = "docs/explanation/speed.md"
 M = MEASURED["kernel"]
 said(P, "takes {} to {} microseconds; the law alone takes {}.", *M["decided"], M["law"])
 said(P, "about {} times as long", MEASURED["process"]["theorem1"])
-said(P, "Z3 and cvc5", by="Z3 cvc5" * {"cvc5", "z3-solver"}.issubset(re.split("[>=]", one)[0] for one in PYPROJECT["project"]["optional-dependencies"]["peers"]))
+said(
+    P,
+    "Z3 and cvc5",
+    by="Z3 cvc5"
+    * {"cvc5", "z3-solver"}.issubset(
+        re.split("[>=]", one)[0] for one in PYPROJECT["project"]["optional-dependencies"]["peers"]
+    ),
+)
 
-said("docs/explanation/trust.md", "computation with {} bits", re.findall(r"CONTEXT.prec = (\d+)", file("tests/prover/test_oracle.py"))[0])
+said(
+    "docs/explanation/trust.md",
+    "computation with {} bits",
+    re.findall(r"CONTEXT.prec = (\d+)", file("tests/prover/test_oracle.py"))[0],
+)
 
 # --- docs/howto -----------------------------------------------------------------------------------
 
 said("docs/howto/dask.md", "with 5%,", by=coded("5%", "docs/howto/dask.md", "--undecided 5%"))
 P = "docs/howto/family.md"
 said(P, "the tangent of a/2:", by=true("(1 - t²)/(1 + t²) = C", lambda draw: half(draw)) + "a/2")
-said(P, "2³² equidistant", by="2³²" * (CELLS == 32))
+said(P, "2³² equidistant", by=given("2³²", CELLS == 32))
 said(P, "is at most {} %, and {} % with", *confidence())
 said(P, "wider than {} of the bar", f"1/{STEPS}")
-said(P, "mass × diameter²/time²; each mass is 1 unless", by="mass × diameter²/time²;" + coded("1", "docs/howto/masses.md", "masses = [1, 5"))
+said(
+    P,
+    "mass × diameter²/time²; each mass is 1 unless",
+    by="mass × diameter²/time²;" + coded("1", "docs/howto/masses.md", "masses = [1, 5"),
+)
 P = "docs/howto/masses.md"
 MASSES = between(1, 2, "m₀", "m₁", "u", "r")
 true("m₀ (1 + r) u m₁/(m₀ + m₁) = m₁ (1 + r) u m₀/(m₀ + m₁)", MASSES)
@@ -559,26 +452,57 @@ said(
 )
 UNEQUAL = " ".join(SAYS_OF_UNEQUAL.values()).replace(">=", "≥").replace("<=", "≤")
 said(P, "Let R² = Σ m|x|²", by=UNEQUAL)
-said(P, "R² is at most B", by=coded("R²", "verify/spheres/scene/criteria.py", "a collapse would need R² <= B"))
-said(P, "(m_o m_a σ_oa² + m_o m_b σ_ob² + m_a m_b (σ_oa + σ_ob)²)/M", by=true(
-    "(m_o m_a σ_oa² + m_o m_b σ_ob² + m_a m_b (σ_oa + σ_ob)²)/M = B", in_line
-))
-said(P, "(R²)' = 2A", by=row("classification", "total-flight-virial") if False else file("certificates/classification/report.md"))
+said(
+    P,
+    "R² is at most B",
+    by=coded("R²", "verify/spheres/scene/criteria.py", "a collapse would need R² <= B"),
+)
+said(
+    P,
+    "(m_o m_a σ_oa² + m_o m_b σ_ob² + m_a m_b (σ_oa + σ_ob)²)/M",
+    by=true("(m_o m_a σ_oa² + m_o m_b σ_ob² + m_a m_b (σ_oa + σ_ob)²)/M = B", in_line),
+)
+said(
+    P,
+    "(R²)' = 2A",
+    by=file("certificates/classification/report.md"),
+)
 said(P, "A' = e²", by=file("certificates/classification/report.md"))
 said(P, "e² = Σ m|v|²", by=THEOREMS[4])
-said(P, "A ≥ 0 and R² ≥ B, then R² grows", by="A≥0 R²≥B R²" * ("A ≥ 0 and R² = Σ m|x|² ≥ B" in UNEQUAL))
-said(P, "A²R² < (R² - B)L² and R² ≥ B, then", by=UNEQUAL + "R²≥B" * ("L² and R² = Σ m|x|² ≥ B" in UNEQUAL))
+said(
+    P,
+    "A ≥ 0 and R² ≥ B, then R² grows",
+    by=given("A≥0 R²≥B R²", "A ≥ 0 and R² = Σ m|x|² ≥ B" in UNEQUAL),
+)
+said(
+    P,
+    "A²R² < (R² - B)L² and R² ≥ B, then",
+    by=UNEQUAL + given("R²≥B", "L² and R² = Σ m|x|² ≥ B" in UNEQUAL),
+)
 said(
     P,
     "R² is at most its value R₀² now, so that e² ≥ L²/R₀²; hence R² ≥ R₀² + 2tA + t²L²/R₀² after a",
-    by="R²≥" + true("R₀² + 2tA + t²L²/R₀² ≥ R₀² - A²R₀²/L² > B", turned)
+    by="R²≥"
+    + true("R₀² + 2tA + t²L²/R₀² ≥ R₀² - A²R₀²/L² > B", turned)
     + coded("e²≥L²/R₀²", "verify/paper/classification/scenes.py", "(iv) e² ≥ L²/ρ² while R² ≤ ρ²"),
 )
-said(P, "b = (1+r)m/(m_o + m), the", by=coded("b=(1+r)m/(m_o+m)", "certificates/line/report.md", "b is (1+r) m_c/(m_0 + m_c)"))
-said(P, "if 4r < bb'", by=coded("4r<bb'", "certificates/line/report.md", "r <= bb'Q(1 - Q) and 2Q < 1"))
-said(P, "diameters that are 1 and", by=coded("1", "verify/paper/assumptions.py", "equal mass and diameter 1"))
+said(
+    P,
+    "b = (1+r)m/(m_o + m), the",
+    by=coded("b=(1+r)m/(m_o+m)", "certificates/line/report.md", "b is (1+r) m_c/(m_0 + m_c)"),
+)
+said(
+    P,
+    "if 4r < bb'",
+    by=coded("4r<bb'", "certificates/line/report.md", "r <= bb'Q(1 - Q) and 2Q < 1"),
+)
+said(
+    P,
+    "diameters that are 1 and",
+    by=coded("1", "verify/paper/assumptions.py", "equal mass and diameter 1"),
+)
 P = "docs/howto/second-checker.md"
-for word, path in (("PROVED", "correct"), ("REFUSED", "incorrect"), ("MALFORMED", "malformed")):
+for word in ("PROVED", "REFUSED", "MALFORMED"):
     said(P, "| {} |", OF_CHECKER[word])
 
 # --- docs/reference -------------------------------------------------------------------------------
@@ -591,11 +515,26 @@ said(P, "no other one from 1 to 2,", by="1 2" + coded("", P, "between = [1, 2]")
 said(P, "rho^3 = rho + 1,", by=coded("rho^3=rho+1", P, 'root = "rho^3 - rho - 1"'))
 ANGLES = between(-1, 1, "x")
 said(P, "between -π/2 and π/2", by=true("-π/2 < atan(x) < π/2", ANGLES))
-said(P, "the arc sine 2 atan(x/(1 + √(1 - x²))), and π/2 less it, for x from -1 to 1", by=true(
-    "2 atan(x/(1 + √(1 - x²))) = A", lambda draw: sine(draw)
-) + true("π/2 - A = C", lambda draw: sine(draw)) + true("-1 ≤ x ≤ 1", lambda draw: sine(draw)) + "-1 1")
-said(P, "is 1 - 2/(exp(x)² + 1)", by=true("1 - 2/(exp(x)² + 1) = T", lambda draw: {"x": mpf(2), "T": mp.tanh(2)}))
-said(P, "k = 1, 2, ..., 10; here k^0 is 1", by=coded("1,2,...,10", P, "sum(1/k^2, k, 1, 10)") + "k=1,2,...,10;" + true("k^0 = 1", between(1, 9, "k")))
+said(
+    P,
+    "the arc sine 2 atan(x/(1 + √(1 - x²))), and π/2 less it, for x from -1 to 1",
+    by=true("2 atan(x/(1 + √(1 - x²))) = A", lambda draw: sine(draw))
+    + true("π/2 - A = C", lambda draw: sine(draw))
+    + true("-1 ≤ x ≤ 1", lambda draw: sine(draw))
+    + "-1 1",
+)
+said(
+    P,
+    "is 1 - 2/(exp(x)² + 1)",
+    by=true("1 - 2/(exp(x)² + 1) = T", lambda draw: {"x": mpf(2), "T": mp.tanh(2)}),
+)
+said(
+    P,
+    "k = 1, 2, ..., 10; here k^0 is 1",
+    by=coded("1,2,...,10", P, "sum(1/k^2, k, 1, 10)")
+    + "k=1,2,...,10;"
+    + true("k^0 = 1", between(1, 9, "k")),
+)
 said(P, "is -(x²), and", by=true("-x² = -(x²)", ANGLES))
 P = "docs/reference/glossary.md"
 said(P, "With r = 1 no", by=true("1 - r² = 0", lambda draw: {"r": mpf(1)}) + "r = 1")
@@ -609,13 +548,36 @@ P = "docs/tutorials/referee.md"
 said(P, "*{} true, but badly derived*", F["otherwise"])
 said(P, "*{} remarks*", F["remarks"])
 said(P, "*Given {} assumptions*", len(KINDS))
-said(P, "the {} refuted rows, the {} that are true but badly derived, and the {} remarks together, {} printed rows", F["refuted"], F["otherwise"], F["remarks"], COUNTED)
-said(P, "rests on {} sentences, of which Coq has proved {}: {} are", SIGN[0], SIGN[1] or "none", SIGN[0] - 1)
+said(
+    P,
+    "the {} refuted rows, the {} that are true but badly derived, and the {} remarks together, {} "
+    "printed rows",
+    F["refuted"],
+    F["otherwise"],
+    F["remarks"],
+    COUNTED,
+)
+said(
+    P,
+    "rests on {} sentences, of which Coq has proved {}: {} are",
+    SIGN[0],
+    SIGN[1] or "none",
+    SIGN[0] - 1,
+)
 said(P, "rests on {} sentences, of which Coq has proved {};", *SET)
 said(P, "every δ_θ ≤ {}.", angle()[0])
-said(P, "With this, 2, 3 and the smaller", by=coded("2,3", P, "3. The set of initial data as printed") + "2, 3 and")
+said(
+    P,
+    "With this, 2, 3 and the smaller",
+    by=coded("2,3", P, "3. The set of initial data as printed") + "2, 3 and",
+)
 said(P, "proof of (4.47) for n+1,", by="(4.47)n+1")
-said(P, "{} means that everything asked for is proved, {} that something is refuted", EXIT_CODES[PROVED], EXIT_CODES[REFUTED])
+said(
+    P,
+    "{} means that everything asked for is proved, {} that something is refuted",
+    EXIT_CODES[PROVED],
+    EXIT_CODES[REFUTED],
+)
 P = "docs/tutorials/three-particles.md"
 said(P, "from {} to {}.", 1, MAX_DIMENSION)
 said(P, "part with {} % of", told(100 * Fraction(point()["parameters"]["r"])))
@@ -628,7 +590,11 @@ said(P, "at 45° has", by=coded("45°", P, "`[1, -1]`"))
 said(P, "speed is √2; ", by=true("√2 = √(1 + 1)", lambda draw: {}))
 said(P, "the speed 1 exactly", by=true("(4/5)² + (3/5)² = 1", lambda draw: {}) + "1")
 said(P, "is {}:", EXIT_CODES[UNDECIDED])
-said(P, "velocities by 10, the same collisions happen 10 times", by=true("10 v t/10 = v t", between(1, 2, "v", "t")) + "by 10, 10 times")
+said(
+    P,
+    "velocities by 10, the same collisions happen 10 times",
+    by=true("10 v t/10 = v t", between(1, 2, "v", "t")) + "by 10, 10 times",
+)
 P = "docs/tutorials/page-of-constants.md"
 said(P, "q = (3 - √5)/4", by=coded("q=(3-√5)/4", P, 'q = "(3 - sqrt(5))/4"'))
 said(P, "δ = min(q/2, 1/10)", by=coded("δ=min(q/2,1/10)", P, 'delta = "min(q/2, 0.1)"'))
@@ -639,28 +605,66 @@ said(P, "2(q + x) - (1 - h)", by=coded("2(q+x)-(1-h)", P, 'slope = "2*(q + x) <=
 # --- points and bounds that several pages name ----------------------------------------------------
 
 POINT = row("theorem1-r-3-100", "C_eta-below-one")
-said("docs/explanation/accusations.md", "-cos θ₀ = 1/2,", by=row("theorem1-r-3-100", "r_stabi-gives-fixed-points"))
-said("docs/tutorials/referee.md", "and -cos θ₀ = 1/2: there", by=row("printed-sign", "printed-angle"))
+said(
+    "docs/explanation/accusations.md",
+    "-cos θ₀ = 1/2,",
+    by=row("theorem1-r-3-100", "r_stabi-gives-fixed-points"),
+)
+said(
+    "docs/tutorials/referee.md", "and -cos θ₀ = 1/2: there", by=row("printed-sign", "printed-angle")
+)
 said("docs/explanation/literature.md", "s₁ = 1", by=THEOREMS[2].replace("s_1", "s₁"))
-MOVES = coded("", "docs/explanation/literature.md", 'velocities = [[0, 0], ["-0.1", 0], ["-(1-t**2)/(1+t**2)"')
+MOVES = coded(
+    "", "docs/explanation/literature.md", 'velocities = [[0, 0], ["-0.1", 0], ["-(1-t**2)/(1+t**2)"'
+)
 said("docs/explanation/literature.md", "particle 1 parts slowly", by="1" + MOVES)
 P = "docs/explanation/proof.md"
 said(P, "α₀ - φ⁻ < 1, and the", by=true("α - (α - √(α² - 4r))/2 < 1", admissible) + "α₀-φ⁻<1")
 said(P, "C_η < 1 |", by=POINT)
 said(P, "ζ_n < 1, so", by=row("theorem1-r-3-100", "Cnd3").replace("ζ̄ < 1", "ζ_n < 1,"))
-UNIT = dict(zip(("neg_cos", "ratio"), map(str, Parameters(Fraction(3, 100), Fraction(1), Fraction(1))[1:]), strict=True))
+UNIT = dict(
+    zip(
+        ("neg_cos", "ratio"),
+        map(str, Parameters(Fraction(3, 100), Fraction(1), Fraction(1))[1:]),
+        strict=True,
+    )
+)
 said("docs/explanation/sandwich.md", "-cos θ = {}, equal", UNIT["neg_cos"])
 P = "docs/explanation/separatrix.md"
 said(P, "(for ρ = {}, to", UNIT["ratio"])
 said(P, "if ρ = {}.", UNIT["ratio"])
-said(P, "the particles 0-1 and 0-2 do not", by=coded("0-1 0-2", "docs/explanation/sandwich.md", "0-1 and 0-2 do not go on colliding in turn"))
+said(
+    P,
+    "the particles 0-1 and 0-2 do not",
+    by=coded(
+        "0-1 0-2", "docs/explanation/sandwich.md", "0-1 and 0-2 do not go on colliding in turn"
+    ),
+)
 PLANE = json.loads(file("certificates/map/strip/map.json"))["plane"]
-said(P, "At r = {}, -cos θ = {} and the closing speed {},", told(PLANE["r"]), PLANE["neg_cos"], PLANE["speed"])
-said("docs/explanation/sharper.md", "p + Y < 1 |", by=coded("p+Y<1", "verify/paper/sharper/state.py", '"decay-positive": 0 < 1 - ratio'))
-said("docs/howto/cite.md", "[2],", by="[2]")
+said(
+    P,
+    "At r = {}, -cos θ = {} and the closing speed {},",
+    told(PLANE["r"]),
+    PLANE["neg_cos"],
+    PLANE["speed"],
+)
+said(
+    "docs/explanation/sharper.md",
+    "p + Y < 1 |",
+    by=coded("p+Y<1", "verify/paper/sharper/state.py", '"decay-positive": 0 < 1 - ratio'),
+)
+said("docs/howto/cite.md", "> [2],", by="> [2]")
 said("docs/index.md", "at r = {},", R)
-said("docs/reference/glossary.md", "if ζ < 1.", by=row("step", "start-Cnd3").replace("0 < 1 -", "ζ<1."))
-said("docs/tutorials/page-of-constants.md", "t₁ = 1 and t' =", by=coded("t₁=1", "docs/tutorials/page-of-constants.md", "start = { k = 1, t = 1 }"))
+said(
+    "docs/reference/glossary.md",
+    "if ζ < 1.",
+    by=row("step", "start-Cnd3").replace("0 < 1 -", "ζ<1."),
+)
+said(
+    "docs/tutorials/page-of-constants.md",
+    "t₁ = 1 and t' =",
+    by=coded("t₁=1", "docs/tutorials/page-of-constants.md", "start = { k = 1, t = 1 }"),
+)
 said(
     "docs/tutorials/page-of-constants.md",
     "(1 + √(1 + 4t²))/2, and the proof needs t_k ≥ (k + 1)/2:",
@@ -671,7 +675,36 @@ P = "docs/tutorials/three-particles.md"
 said(
     P,
     "particle 1 comes from the right, particle 2 from the left, and particle 0 rests",
-    by=coded("1 2 0", P, "positions  = [[0, 0], [1.002, 0], [-1.004, 0.06]] velocities = [[0, 0], [-1.5, 0]"),
+    by=coded(
+        "1 2 0",
+        P,
+        "positions  = [[0, 0], [1.002, 0], [-1.004, 0.06]] velocities = [[0, 0], [-1.5, 0]",
+    ),
 )
-said(P, "and -cos θ = 1.", by=true("-C = 1", lambda draw: {"C": mp.cos(mp.pi)}).replace("-C", "-cosθ"))
+said(
+    P,
+    "and -cos θ = 1.",
+    by=true("-C = 1", lambda draw: {"C": mp.cos(mp.pi)}).replace("-C", "-cosθ"),
+)
 said(P, "< 1 |", by=row("step", "start-Cnd3").replace("0 < 1 -", "1"))
+ZETA = row("theorem1-r-3-100", "zeta-total")
+said("docs/explanation/accusations.md", "bounds d_{n+1}", by=row("step-printed", "d-index"))
+said("docs/explanation/proof.md", "to ζ_{n+1}, between", by=ZETA)
+said("docs/tutorials/referee.md", "term of ζ_{n+1} by", by=ZETA)
+A = "docs/explanation/accusations.md"
+said(A, "at r = 1/60, -cos θ₀ = 38/61", by=row("theorem1-r-3-100", "second-assumption-as-printed"))
+said(A, "r = 1/20, -cos θ₀ = 1/2,", by=row("theorem1-r-3-100", "r_stabi-gives-fixed-points"))
+said("docs/explanation/proof.md", "for δ_θ = {}.", point()["parameters"]["delta_theta"])
+said(
+    "docs/explanation/sandwich.md",
+    "q = {}, where",
+    document("separatrix", "--r", "0.03", "--at", "1/10")["at"],
+)
+said(
+    "docs/explanation/separatrix.md",
+    "α ≤ s + s². Along",
+    by=coded("α≤s+s²", "verify/coq/SeparatrixExists.v", "LOW : a <= s + s ^ 2"),
+)
+
+#: All that was said.
+TEXTS = tuple(ENTRIES)

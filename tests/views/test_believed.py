@@ -54,7 +54,10 @@ def test_the_table_of_the_pages_says_the_same() -> None:
 
 #: Commands of each kind that is told of in README.md.
 SHOWN = {
-    "`verify theorem1 --r R`, `verify scene`": ("theorem1 --r 0.03", "scene {scenes}/in-space.toml"),
+    "`verify theorem1 --r R`, `verify scene`": (
+        "theorem1 --r 0.03",
+        "scene {scenes}/in-space.toml",
+    ),
     "either with `--out`, and all commands that are not named here": (
         "scene {scenes}/in-space.toml --out {out}/scene",
         "theorem1 --all",

@@ -1,4 +1,4 @@
-"""Sentences with numbers: intervals are not empty, exact numbers are exact, differences are seen."""
+"""Sentences with numbers: no interval is empty, inputs are exact, differences are seen."""
 
 from __future__ import annotations
 

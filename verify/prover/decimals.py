@@ -149,7 +149,8 @@ def both_ends(ends: tuple[Fraction, Fraction]) -> str:
         most = max(near - low, high - near)
         exponent = decimal_exponent(most) + (most != Fraction(10) ** decimal_exponent(most))
         return f"{exact_number(near)} ± {people(decimal_text(1, exponent))}"
-    return f"[{', '.join(map(people, outward(ends, min(max(AGREEING, _telling(low, high)), DIGITS))))}]"
+    digits = min(max(AGREEING, _telling(low, high)), DIGITS)
+    return f"[{', '.join(map(people, outward(ends, digits)))}]"
 
 
 def inside(ends: tuple[Fraction, Fraction], digits: int) -> list[str]:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from fractions import Fraction
+from functools import partial
 
 from verify.language.record import Record
-from verify.language.statement import Constant
+from verify.language.statement import PROVED, Constant
 from verify.language.terms import Claim, Term, names_of
 from verify.prover import balls
 from verify.prover.decimals import near_decimal, outward
@@ -116,9 +117,14 @@ class _Values(ExactArithmetic):
     def operation(self, name: str) -> Callable[..., Fraction | None]:
         if name == "cos_pi":
             return _cos_pi
-        if name in _KNOWN:
-            return _KNOWN[name].get
-        return super().operation(name)
+        known = _KNOWN.get(name)
+        return super().operation(name) if known is None else partial(_at, known)
+
+
+def _at(known: dict[Fraction, int], x: Fraction) -> Fraction | None:
+    """The value of a function at a number, if it is known to be rational."""
+    found = known.get(x)
+    return None if found is None else Fraction(found)
 
 
 def _cos_pi(x: Fraction) -> Fraction | None:
@@ -131,7 +137,7 @@ def _cos_pi(x: Fraction) -> Fraction | None:
 def exactly(outcome: Outcome) -> Outcome:
     """The same outcome for people: a number that is a short decimal is no enclosure of it."""
     rows = [
-        (row, found)
+        (row.name, row.claim, found.sides)
         for row, found in outcome.rows
         if found.sides is not None and isinstance(row.claim, Claim) and _is_near(found.sides)
     ]
@@ -143,14 +149,22 @@ def exactly(outcome: Outcome) -> Outcome:
         program.define(name, term)
     run = Machine(program, _Values(EXACT_BITS)).run(())
     enclosures = {name: _exact(run, outcome.enclosures[name], (known[name],)) for name in near}
-    decisions = {
-        row.name: found._replace(sides=_exact(run, found.sides, (row.claim.lhs, row.claim.rhs)))
-        for row, found in rows
-    }
+    decisions = {}
+    for row, claim, sides in rows:
+        found = _exact(run, sides, (claim.lhs, claim.rhs))
+        if outcome.decisions[row].verdict == PROVED and claim.relation == "=":
+            found = found._replace(ends=_equal(*found.ends))
+        decisions[row] = outcome.decisions[row]._replace(sides=found)
     return outcome._replace(
         enclosures={**outcome.enclosures, **enclosures},
         decisions={**outcome.decisions, **decisions},
     )
+
+
+def _equal(left: Ends, right: Ends) -> tuple[Ends, Ends]:
+    """Two sides that are equal: where one is a number, so is the other one."""
+    exact = next((side for side in (left, right) if side[0] == side[1]), None)
+    return (left, right) if exact is None else (exact, exact)
 
 
 def _is_near(enclosure: Enclosure) -> bool:

@@ -295,7 +295,8 @@ def _content(material: Material) -> dict[str, Any]:
         "Math": rows.Math,
         "subtitle": (
             f"{paper.authors}, {paper.title} ({paper.text_read}; its companion is "
-            f"{paper.companion}): Theorem 1 and the spectrum of its linear model, every inequality decided in rigorous arithmetic."
+            f"{paper.companion}): Theorem 1 and the spectrum of its linear model, every "
+            "inequality decided in rigorous arithmetic."
         ),
         "version": __version__,
         "TITLE": TITLE,

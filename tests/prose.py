@@ -135,9 +135,11 @@ def formulas(text: str) -> Iterator[Span]:
 def is_formula(text: str) -> bool:
     """Whether a text is long enough to stand in no other formula by chance.
 
-    A letter with its value is none: that is an entry.
+    A letter with its value, or a number, is none: that is an entry.
     """
     if len(text) < 5 or re.fullmatch(r"[^<>=≤≥+/()]+[=<≤]-?[\d./⁻¹²³⁰-⁹]+", text):
+        return False
+    if re.fullmatch(r"[\d√.+/-]+", text):
         return False
     if re.fullmatch(r"[^<>=≤≥/√]_\{[^}]*\}", text):
         return False

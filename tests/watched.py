@@ -68,6 +68,9 @@ from verify.wire.text.roots import DIGITS as ROOT_DIGITS
 
 said("", "{}", PAPER.title)
 said("", "({})", PAPER.companion)
+said("", "r = {}", point()["parameters"]["r"])
+said("", "9 - 4√5", by=row("theorem1-r-3-100", "r-below-stabi"))
+said("", "7 - 4√3", by=THEOREMS[2])
 said("", "SHA-256", by=given("SHA-256", len(PAPER.source()) == 64))
 said("", "Python {} or newer", PYPROJECT["project"]["requires-python"].removeprefix(">="))
 said("", "φ₂ = d/η_c²", by=file("verify/views/map.py"))

@@ -9,8 +9,11 @@ import json
 import re
 from pathlib import Path
 
+from tests.coq import sentences
 from tests.coq.everything import SENTENCES, conjunction, discharging
+from verify.paper.assumptions import STEP_ASSUMPTIONS
 from verify.paper.in_coq import IN_COQ
+from verify.paper.sharper.sharper import ASSUMPTIONS as SHARPER_ASSUMPTIONS
 from verify.wire.coq.beside import beside
 from verify.wire.coq.export import export
 
@@ -211,6 +214,24 @@ def test_the_sentences_in_coq_are_those_of_the_statements() -> None:
     assert all(len(sentences) == 1 for sentences in said.values())
     assert [*IN_COQ["step"]] == [item["name"] for item in by_theorem["step"]]
     assert [*IN_COQ["separatrix"]] == [item["name"] for item in by_theorem["separatrix"]]
+
+
+def test_a_sentence_and_what_coq_proves_are_pinned_together() -> None:
+    """Where one is changed: read both in `sentences.txt`, then `python -m tests.coq.sentences`."""
+    assert sentences.PINNED.read_text(encoding="utf-8") == sentences.pinned()
+    found = sentences.sentences()
+    assert sum(name.startswith("glue-") for _, name in found) >= 10
+    for theorem, name in found:
+        assert all(sentences.proved(one) for one in IN_COQ[theorem][name]), (theorem, name)
+
+
+def test_the_sentences_of_the_program_are_those_that_are_pinned() -> None:
+    """A sentence that is changed in the code, and not yet in a certificate, is seen, too."""
+    pinned = sentences.sentences()
+    for theorem, every in (("step", STEP_ASSUMPTIONS), ("sharper", SHARPER_ASSUMPTIONS)):
+        for one in every:
+            if one.name in IN_COQ[theorem]:
+                assert one.sentence == pinned[theorem, one.name], one.name
 
 
 def test_the_theorem_about_files_is_the_one_on_the_page() -> None:

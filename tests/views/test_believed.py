@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Iterator
+from typing import Any
+
 import pytest
 
-from docs.generated import RUNS, believed_and_proved
+from docs.generated import JUDGES, ROOT, RUNS, believed, believed_and_proved, sharper_givens
 from verify.cli import main
 
 
@@ -46,3 +50,71 @@ def test_the_table_of_the_pages_says_the_same() -> None:
     assert table["classification"][1] == "–"
     assert "glue-second" in table["scene: finite"][2]
     assert "scene-collapses" in table["scene: collapses"][2]
+
+
+#: Commands of each kind that is told of in README.md.
+SHOWN = {
+    "`verify theorem1 --r R`, `verify scene`": (
+        "theorem1 --r 0.03",
+        "scene {scenes}/in-space.toml",
+    ),
+    "either with `--out`, and all commands that are not named here": (
+        "scene {scenes}/in-space.toml --out {out}/scene",
+        "theorem1 --all",
+        "theorem1 --r 0.02..0.03",
+        "spectrum",
+        "classification",
+        "elsewhere",
+        "separatrix --all",
+        "prove {examples}/mean/statement.json",
+    ),
+    "`verify map`": ("map phi --r 0.03 --undecided 20%",),
+    "`verify separatrix` without `--all` and `--out`": ("separatrix --r 0.03 --at 1/10",),
+}
+
+
+def judges(document: Any) -> Iterator[str]:
+    """Who judged what a document says."""
+    inner: Any = ()
+    if isinstance(document, dict):
+        yield from (document[key] for key in ("judged_by", "judge") if document.get(key))
+        inner = document.values()
+    elif isinstance(document, list):
+        inner = document
+    for part in inner:
+        yield from judges(part)
+
+
+@pytest.mark.parametrize("run", JUDGES)
+def test_who_judges_what_one_runs(
+    run: str, tmp_path: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    places = {"scenes": ROOT / "certificates/scenes", "examples": ROOT / "certificates/examples"}
+    for words in SHOWN[run]:
+        assert main([*words.format(**places, out=tmp_path).split(), "--json"]) == 0
+        found = {judge.partition(",")[0] for judge in judges(json.loads(capsys.readouterr().out))}
+        others = {judge for one, judge in JUDGES.items() if one != run}
+        assert JUDGES[run] in found, words
+        assert not found & others, words
+
+
+def test_a_point_with_a_certificate_is_judged_by_the_checker(
+    tmp_path: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = str(tmp_path / "point")
+    assert main(["theorem1", "--r", "0.03", "--out", out]) == 0
+    assert main(["check", out, "--json"]) == 0
+    assert '"PROVED"' in capsys.readouterr().out
+
+
+def test_the_readme_has_the_table() -> None:
+    assert SHOWN.keys() == JUDGES.keys()
+    assert f"\n\n{believed()}\n\n" in (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def test_all_that_the_sharper_theorem_asks_is_on_its_page() -> None:
+    from verify.paper.sharper.state import GIVENS
+
+    lines = sharper_givens().split("\n")[2:]
+    assert [line.split("`")[1] for line in lines] == [*GIVENS]
+    assert "| `speed-start` | η₀ ≤ V₀ |" in lines

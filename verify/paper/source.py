@@ -38,6 +38,15 @@ def printed_numbers() -> dict[str, str]:
         return dict(json.load(file)["numbers"])
 
 
+@cache
+def source_sha256() -> str:
+    """The SHA-256 of the LaTeX text of the paper that was read."""
+    import json  # loaded only where it is used
+
+    with open(TABLE, encoding="utf-8") as file:
+        return str(json.load(file)["source_sha256"])
+
+
 def labels_called(number: str) -> list[str]:
     """The labels of what is called so in print: ``(4.25)``, ``4.25`` or ``Theorem 1``."""
     called = (number, f"({number})")
@@ -71,4 +80,6 @@ PAPER = Publication(
     },
     in_coq=IN_COQ,
     notes=notes,
+    source=source_sha256,
+    fatal={"printed.second-assumption-as-printed": "the misprint < in (4.10)"},
 )

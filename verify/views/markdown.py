@@ -9,7 +9,7 @@ from verify.language.statement import REPAIRED, Always, Applies, Obligation, Pub
 from verify.language.terms import Claim
 from verify.prover.outcome import Decision, Outcome
 from verify.views import words
-from verify.views.enclosures import minimum_of
+from verify.views.enclosures import exactly, minimum_of
 from verify.views.point import in_numbers
 from verify.views.setting import apart, markdown_template
 from verify.views.words import fair as verdict_of
@@ -28,6 +28,7 @@ def defects(outcome: Outcome, paper: Publication) -> str:
 
 def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
     """What the template speaks of."""
+    outcome = exactly(outcome)
     typesetter, about = words.letters(outcome), words.is_about(outcome, paper)
     main = about and outcome.statement.theorem == paper.theorem
 

@@ -8,10 +8,11 @@ from typing import Any
 from verify.language.statement import UNDECIDED, Obligation, Publication
 from verify.language.terms import Claim, symbol
 from verify.language.typeset import Typesetter
-from verify.prover.decimals import short
+from verify.prover.decimals import short, told_apart
 from verify.prover.outcome import Decision, Outcome
 from verify.views import words
 from verify.views.document import assumption_document, cite_document, row_document, value_text
+from verify.views.enclosures import exactly
 
 FORMAT = "verify-prove/1"
 
@@ -21,7 +22,7 @@ def decided_lines(outcome: Outcome, paper: Publication, *, numbers: bool = False
 
     With ``numbers`` there are also enclosures of constants and of both sides of each row.
     """
-    typesetter = words.letters(outcome)
+    typesetter, outcome = words.letters(outcome), exactly(outcome)
     if numbers:
         yield from _constants(outcome, typesetter)
     for row, found in outcome.rows:
@@ -56,7 +57,8 @@ def _numbers(row: Obligation, found: Decision) -> Iterator[str]:
         yield f"  for all values of {row.context}"
     if sides is not None and isinstance(row.claim, Claim):
         left, right = sides
-        yield f"  left side {short(left)}, right side {short(right)}, at {found.bits or '-'} bits"
+        lhs, rhs = told_apart(left, right)
+        yield f"  left side {lhs}, right side {rhs}, at {found.bits or '-'} bits"
         low, high = right[0] - left[1], right[1] - left[0]
         yield f"  the right side is larger by {short((low, high))}"
     if found.verdict != UNDECIDED:

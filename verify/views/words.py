@@ -26,7 +26,7 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term, names_of, symbol
 from verify.language.typeset import Typesetter
-from verify.prover.decimals import short
+from verify.prover.decimals import short, told_apart
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 
 #: The headline while the verdict rests on more than what is granted, here or in what is cited.
@@ -345,7 +345,7 @@ def sides_told(row: Obligation, decision: Decision, digits: int = 8) -> str:
     sides = sides_of(row, decision)
     if sides is None or not isinstance(row.claim, Claim):
         return ""
-    left, right = (short(side, digits) for side in sides)
+    left, right = told_apart(*sides, digits)
     return f"{left} {SIGNS[row.claim.relation]} {right}"
 
 

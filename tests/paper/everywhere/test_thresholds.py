@@ -9,19 +9,21 @@ from fractions import Fraction
 import pytest
 
 from verify import check
+from verify.cli import main
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term
-from verify.paper.commands.thresholds import decide_thresholds, gap, shares
+from verify.paper.commands.thresholds import decide_thresholds, shares
 from verify.paper.everywhere import thresholds as paper
 from verify.paper.everywhere.chart import CONTEXT
 from verify.paper.parameters import PRINTED
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.balls import BallArithmetic
-from verify.prover.outcome import Decision, Outcome
+from verify.prover.outcome import Decision
 from verify.prover.program import Machine, Program
 from verify.prover.proof import LemmaStep
 from verify.prover.relations import fails, holds
+from verify.views.everywhere import LEFT_OPEN, Outcome
 from verify.wire.read import read
 from verify.wire.write import write
 
@@ -49,10 +51,18 @@ def test_every_strip_is_a_row_of_the_statement() -> None:
 
 def test_little_is_undecided() -> None:
     for row in dict.fromkeys(strip.row for strip in paper.STRIPS):
-        found = shares(row, decide_thresholds())
+        found = dict(shares(row, decide_thresholds()))
         assert found[UNDECIDED][1] < Fraction(1, 10000)
+        low, high = found.pop(LEFT_OPEN, (Fraction(0), Fraction(0)))
+        assert high - low <= paper.STRIP
+        assert (low, high) == (Fraction(0), Fraction(0)) or high == paper.DRIFT_ENDS
         assert sum(low for low, _ in found.values()) <= 1 <= sum(high for _, high in found.values())
-        assert gap(s for s in paper.STRIPS if s.row == row) <= paper.STRIP
+
+
+def test_what_is_left_open_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["theorem1", "--all", "--constants", "printed"]) == 1
+    said = " ".join(capsys.readouterr().out.split())
+    assert "nothing is proved where 5/33 - 10⁻⁵ ≤ φ⁺ < 5/33" in said
 
 
 def test_the_share_of_a_strip_that_is_not_proved_is_undecided() -> None:

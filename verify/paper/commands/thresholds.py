@@ -16,6 +16,7 @@ from verify.paper.commands.everywhere import Everywhere
 from verify.paper.everywhere import thresholds as paper
 from verify.paper.parameters import PRINTED
 from verify.prover.outcome import Ends, Outcome
+from verify.views.everywhere import LEFT_OPEN
 
 #: How many parts 0 < u < 1 is cut into to enclose areas, and how often ends are halved there.
 PARTS, HALVINGS = 500, 24
@@ -46,10 +47,16 @@ def all_shares(where: Outcome) -> dict[str, Mapping[str, Ends]]:
 
 
 def shares(row: str, where: Outcome) -> Mapping[str, Ends]:
-    """Bounds of the share of the chart on which a row is proved, refuted, or neither."""
+    """Bounds of the share of the chart on which a row is proved, refuted, or neither.
+
+    Where one interval of phi_plus is left open, `LEFT_OPEN` has its ends.
+    """
     strips = [strip for strip in certified(where) if strip.row == row]
     found = {verdict: _share(strips, verdict) for verdict in (PROVED, REFUTED)}
-    return {**found, UNDECIDED: (Fraction(0), gap(strips) / _area(WHOLE)[0])}
+    gaps = _gaps(strips)
+    width = sum((high - low for low, high in gaps), Fraction(0))
+    one = {LEFT_OPEN: gaps[0]} if len(gaps) == 1 else {}
+    return {**found, **one, UNDECIDED: (Fraction(0), width / _area(WHOLE)[0])}
 
 
 def _share(every: Iterable[paper.Strip], verdict: str) -> Ends:
@@ -79,11 +86,12 @@ def bands(where: Outcome) -> Iterator[tuple[Fraction, Fraction, int | None]]:
         yield low, high, refuted_at(strips, low, high)
 
 
-def gap(strips: Iterable[paper.Strip]) -> Fraction:
-    """The total width of the values of p between some strips, which bounds their area."""
+def _gaps(strips: Iterable[paper.Strip]) -> list[Ends]:
+    """The intervals of p between some strips; their width bounds their area."""
     known = sorted((strip.low, strip.high) for strip in strips)
     ends = [Fraction(0), *(end for strip in known for end in strip), WHOLE]
-    return sum((high - low for low, high in zip(ends[::2], ends[1::2], strict=True)), Fraction(0))
+    pairs = zip(ends[::2], ends[1::2], strict=True)
+    return [(low, high) for low, high in pairs if low < high]
 
 
 @cache

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.prover.decimals import outward, short, told_number
+from verify.prover.decimals import exact_number, outward, short
 from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, Start, start_of
 from verify.spheres.flow.follow import RECENTRE, name_of
 from verify.spheres.flow.law import Number
@@ -230,8 +230,8 @@ def _angle(neg_cos: Fraction) -> tuple[Fraction, Fraction]:
 def _event_time(ends: tuple[Fraction, Fraction]) -> str:
     """A number with those of its digits that are certain, a few of them."""
     low, high = ends
-    if low == high:
-        return told_number(low)
+    if low == high and len(exact_number(low)) <= MOST_LETTERS:
+        return exact_number(low)
     text = short(ends)
     if len(text) <= MOST_LETTERS:
         return text

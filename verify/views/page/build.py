@@ -283,6 +283,8 @@ def _content(material: Material) -> dict[str, Any]:
         "given": lambda outcome: words.given_by(outcome, paper),
         "believed": lambda outcome: words.believed(outcome, paper),
         "printed": paper.printed,
+        "fatal": paper.fatal,
+        "severity": paper.severity,
         "coq": checked_in_coq(material),
         "latex": latex(main),
         "whole_latex": everywhere.latex(material.whole),
@@ -292,8 +294,9 @@ def _content(material: Material) -> dict[str, Any]:
         "whole_text": everywhere.plain(material.whole),
         "Math": rows.Math,
         "subtitle": (
-            f"{paper.authors}, {paper.title} (its companion is {paper.companion}): Theorem 1 and "
-            "the spectrum of its linear model, every inequality decided in rigorous arithmetic."
+            f"{paper.authors}, {paper.title} ({paper.text_read}; its companion is "
+            f"{paper.companion}): Theorem 1 and the spectrum of its linear model, every "
+            "inequality decided in rigorous arithmetic."
         ),
         "version": __version__,
         "TITLE": TITLE,

@@ -24,7 +24,8 @@ collision or not. Scenes in which all three touch at once, or overlap, at the st
 That only finitely many collisions are possible is said unless all three touch at once later.
 
 The exit code is 0 if all is proved, 1 if a verdict is not, 4 if a log is malformed, 2 if a file
-cannot be read. Work is counted: a box, and a log without `--long`, is refused where it is too much.
+cannot be read, 5 if this program fails, for example where there is too little memory. Work is
+counted: a box, and a log without `--long`, is refused where it is too much.
 """
 
 from __future__ import annotations
@@ -1113,11 +1114,18 @@ def operations(term: Term) -> int:
 
 
 def price_of(plane: Plane) -> int:
-    """What it costs to begin with a box."""
-    if not isinstance(plane, Family):
+    """What it costs to begin with a box: for many coordinates, and long terms, it is more.
+
+    There are 30 inner products in n dimensions, and `turns` has 2 n (n - 1) products, which cost
+    twice as much.
+    """
+    if not isinstance(plane, Through | Family):
         return BOX_PRICE
-    terms = (plane.r, *(term for _, term in varying(plane)))
-    return BOX_PRICE + sum(map(operations, terms)) // 8
+    n, found = len(plane.positions[0]), varying(plane)
+    moving = len({(name, k) for (name, _, k), _ in found})
+    products = max(15 * moving, 4 * n * (n - 1))
+    r = operations(plane.r) + sum(operations(term) for _, term in found)
+    return BOX_PRICE + r // 8 + products // 32
 
 
 def _products(
@@ -1802,6 +1810,12 @@ def complaint(words: str, code: int) -> int:
     return code
 
 
+def unexpected(kind: type[BaseException], *_: object) -> None:
+    """End with code 5 where nobody has caught an error: Python ends with 1, which means refused."""
+    os.write(2, b"check_map: no verdict, as this program failed: %s\n" % kind.__name__.encode())
+    os._exit(5)
+
+
 def output(lines: list[str], code: int) -> int:
     """Print the lines, and return the exit code; 141 if their reader has left, 2 if they cannot."""
     try:
@@ -1819,4 +1833,5 @@ def output(lines: list[str], code: int) -> int:
 
 
 if __name__ == "__main__":
+    sys.excepthook = unexpected
     sys.exit(main(sys.argv[1:]))

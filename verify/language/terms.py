@@ -350,6 +350,37 @@ def parts_of(*terms: Term) -> Iterator[Term]:
             yield term
 
 
+_OPERATIONS: dict[Term, int] = {}
+
+
+def operations_in(term: Term) -> int:
+    """How many operations a term has if each part is written wherever it stands.
+
+    A part that stands in many places is counted once: the number may be very large.
+    """
+    found = _OPERATIONS.get(term)
+    if found is None:
+        count = sum(map(operations_in, term.children), 1) if term.children else 0
+        found = _OPERATIONS[term] = count
+    return found
+
+
+_SIGNS: dict[Term, int] = {}
+
+
+def signs_in(term: Term) -> int:
+    """About how many signs a term takes if each part is written wherever it stands."""
+    found = _SIGNS.get(term)
+    if found is None:
+        if term.op == "rational":
+            bits = term.value.numerator.bit_length() + term.value.denominator.bit_length()
+            found = 1 + bits * 3 // 10
+        else:
+            found = len(term.name) if term.op == "symbol" else sum(map(signs_in, term.children), 1)
+        _SIGNS[term] = found
+    return found
+
+
 def names_of(*terms: Term) -> Iterator[str]:
     """The names in terms, each once, in the order of `parts_of`."""
     return (part.name for part in parts_of(*terms) if part.op == "symbol")

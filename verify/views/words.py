@@ -68,7 +68,6 @@ SIGNS = {"<": "<", "<=": "≤", "=": "="}
 
 #: A longer formula is left to the statement file where a row is told in one line.
 MAX_FORMULA = 400
-LONG = "(long: see the statement file)"
 
 #: Bits of the thresholds and entries of minima that are only shown.
 SHOWN_BITS = 192

@@ -23,6 +23,7 @@ from verify.language.statement import (
     SLIP,
 )
 from verify.language.terms import Claim
+from verify.language.typeset import LONG
 from verify.prover.decimals import outward
 from verify.prover.outcome import Outcome
 from verify.views import classification, everywhere, words
@@ -304,7 +305,7 @@ def _content(material: Material) -> dict[str, Any]:
         "EVERYWHERE_IN_WORDS": everywhere.CLAIM,
         "SETTING": classification.SETTING,
         "THEOREMS": classification.THEOREMS,
-        "LONG": words.LONG,
+        "LONG": LONG,
         "MANY": rows.MANY,
     }
 

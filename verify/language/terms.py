@@ -22,6 +22,9 @@ MAX_INDEX = 99
 #: The largest exponent of a power that the wire format has.
 MAX_EXPONENT = 999
 
+#: Longer terms are not written out where Python shows them.
+MAX_SHOWN = 1000
+
 #: The operations without terms as arguments.
 LEAVES = ("rational", "symbol", "pi")
 #: The operations with a natural number after the one term: a power, and a root of some index.
@@ -63,6 +66,8 @@ class Term:
         return term
 
     def __repr__(self) -> str:
+        if operations_in(self) > MAX_SHOWN:
+            return f"<a term {self.op} of more than {MAX_SHOWN} operations>"
         return f"Term({self.op!r}, {', '.join(map(repr, self.args))})"
 
     def __add__(self, other: Number) -> Term:

@@ -29,8 +29,8 @@ def is_long(claim: Claim | Applies | Always) -> bool:
     """Whether a claim is longer than it is written."""
     if isinstance(claim, Claim):
         return signs_in(claim.lhs) + signs_in(claim.rhs) > MAX_SIGNS
-    values = claim.at if isinstance(claim, Applies) else claim.start | claim.next
-    return sum(map(signs_in, values.values())) > MAX_SIGNS
+    tables = (claim.at,) if isinstance(claim, Applies) else (claim.start, claim.next)
+    return sum(signs_in(term) for table in tables for term in table.values()) > MAX_SIGNS
 
 
 class Typesetter:

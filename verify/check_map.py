@@ -1306,13 +1306,14 @@ def check_log(lines: Iterator[bytes], most: int | None = MAX_WORK) -> tuple[Plan
     tally, rules = Tally(plane), rules_of(plane)
     law = law_in(plane)
     begin, work, digits = beginning(law, plane), Work(most), digits_of(plane)
+    least = 0 if rules.is_line else 6
     due, children = [_key(i, level, digits) for i in range(len(digits) ** level)], list[str]()
     at = 0
     for line in lines:
         chain, record = _line(line, chain, RECORD)
         if at == len(due):
             level, due, children, at = level + 1, children, [], 0
-        keys, letters, numbers = _boxes(record, level, 0 if rules.is_line else 6)
+        keys, letters, numbers = _boxes(record, level)
         if not keys or keys != due[at : at + len(keys)]:
             raise LogError("boxes are not those that the boxes before have left, in their order")
         at += len(keys)
@@ -1322,7 +1323,7 @@ def check_log(lines: Iterator[bytes], most: int | None = MAX_WORK) -> tuple[Plan
             if letter == "u":
                 children += [key + digit for digit in digits]
                 continue
-            found = next(given, []) if letter == "c" else []
+            found = sixes(next(given), "c", least) if letter == "c" else []
             prove_box(law, begin, key, letter, found, work, rules)
             tally.add(key, letter)
     return plane, tally.areas(is_whole=at == len(due) and not children)
@@ -1477,9 +1478,7 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return found
 
 
-def _boxes(
-    record: dict[str, Any], level: int, least: int = 6
-) -> tuple[list[str], str, list[list[tuple[Interval, ...]]]]:
+def _boxes(record: dict[str, Any], level: int) -> tuple[list[str], str, list[object]]:
     keys, letters, numbers = record["keys"], record["verdicts"], record["numbers"]
     if type(record["level"]) is not int or record["level"] != level or level > MAX_LEVEL:
         raise LogError(f"expected boxes of level {level}")
@@ -1492,7 +1491,7 @@ def _boxes(
         raise LogError("expected a verdict for each key")
     if len(numbers) != letters.count("c"):
         raise LogError("expected numbers for each box that collapses")
-    return found, letters, [sixes(flat, "c", least) for flat in numbers]
+    return found, letters, numbers  # which `sixes` reads one by one: there may be very many
 
 
 def sixes(flat: object, letter: str, least: int = 6) -> list[tuple[Interval, ...]]:

@@ -2054,7 +2054,8 @@ class Reader:
         digest, full = cite["statement_sha256"], prefix + cite["name"]
         data = self.at_hand(digest)
         self.kernel.introduce(full)
-        self.kernel.spend(0, 100 + len(data) // 3 + brackets(data))
+        self.kernel.spend(0, 100 + len(data) // 3)
+        self.kernel.spend(0, brackets(data))
         document = parsed("cited statement", data, STATEMENT)
         good = document["theorem"] == cite["theorem"]
         need(good, Malformed, "cites: found {} under another title", cite["theorem"])
@@ -2416,7 +2417,8 @@ def check(
     kernel = Kernel()
     kernel.work = limit = MAX_WORK if work is None else work
     try:
-        kernel.spend(0, (len(first) + len(second)) // 8 + brackets(first) + brackets(second))
+        kernel.spend(0, (len(first) + len(second)) // 8)
+        kernel.spend(0, brackets(first) + brackets(second))
         reader = Reader(kernel, available)
         return checked(reader, reader.read(document), certificate, digest, limit)
     finally:

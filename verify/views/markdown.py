@@ -7,6 +7,7 @@ from typing import Any
 
 from verify.language.statement import REPAIRED, Always, Applies, Obligation, Publication
 from verify.language.terms import Claim
+from verify.language.typeset import LONG
 from verify.prover.outcome import Decision, Outcome
 from verify.views import words
 from verify.views.enclosures import exactly, minimum_of
@@ -33,7 +34,7 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
     main = about and outcome.statement.theorem == paper.theorem
 
     def brief(text: str) -> str:
-        return text if len(text) <= words.MAX_FORMULA else words.LONG
+        return text if len(text) <= words.MAX_FORMULA else LONG
 
     def claim(one: Claim | Applies | Always) -> str:
         return brief(typesetter.claim(one))

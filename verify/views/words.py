@@ -29,16 +29,13 @@ from verify.language.typeset import Typesetter
 from verify.prover.decimals import short, told_apart
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 
-#: The headline while the verdict rests on more than what is granted, here or in what is cited.
-CONDITIONALLY_PROVED = "conditionally proved"
-
 #: The headline where a hypothesis does not hold.
 DOES_NOT_APPLY = "does not apply"
 
 #: The kind of a sentence that says what the objects are.
 DEFINITION = "definition"
 
-#: The kinds of assumptions that do not make a proof conditional: what the objects are, theorems of
+#: The kinds of assumptions that are granted: what the objects are, theorems of
 #: general mathematics, and sentences that do nothing but put facts together that they name.
 GRANTED = (DEFINITION, "general mathematics", "numbered glue")
 
@@ -68,7 +65,6 @@ SIGNS = {"<": "<", "<=": "≤", "=": "="}
 
 #: A longer formula is left to the statement file where a row is told in one line.
 MAX_FORMULA = 400
-LONG = "(long: see the statement file)"
 
 #: Bits of the thresholds and entries of minima that are only shown.
 SHOWN_BITS = 192
@@ -80,15 +76,18 @@ SHOWN_BITS = 192
 def headline(outcome: Outcome) -> str:
     """The verdict in a few words.
 
-    What is proved from estimates is *conditionally* proved. Where a hypothesis does not hold, a
-    theorem does not apply.
+    It is the same word for people and for scripts; what it rests on stands beside it. Where a
+    hypothesis does not hold, a theorem does not apply.
     """
     if outcome.verdict == REFUTED and group_fails(outcome, HYPOTHESES):
         return DOES_NOT_APPLY
-    if outcome.verdict != PROVED:
-        return outcome.verdict
+    return outcome.verdict
+
+
+def rests_on_more(outcome: Outcome) -> bool:
+    """Whether what is proved rests on more than what is granted, here or in what is cited."""
     kinds = {assumption.kind for assumption in outcome.assumptions}
-    return PROVED if kinds <= set(GRANTED) else CONDITIONALLY_PROVED
+    return outcome.verdict == PROVED and not kinds <= set(GRANTED)
 
 
 def group_fails(outcome: Outcome, group: str) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from codecs import BOM_UTF8
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
@@ -49,6 +50,7 @@ def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
     Raises:
         InputError: for a file that cannot be used, with the place and the reason in one line.
     """
+    content = content.removeprefix(BOM_UTF8)
     if path.endswith(".toml"):
         from verify.wire.text.read_page import read_page
 

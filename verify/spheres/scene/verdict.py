@@ -14,7 +14,7 @@ from verify.spheres.flow.follow import RECENTRE, name_of
 from verify.spheres.flow.law import Number
 from verify.spheres.flow.theorem import NAME as FLOW
 from verify.spheres.scene.criteria import SAYS, SAYS_OF_UNEQUAL
-from verify.spheres.scene.decide import COLLAPSES, DISPERSES, EXACT, FINITE, Fate
+from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Fate
 from verify.spheres.scene.energy import energy_lost, normal_speeds
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.telling import CLASSIFICATION
@@ -44,7 +44,6 @@ class Told(Record):
     verdict: str
     reason: str
     says: str
-    is_exact: bool
     theorems: Sequence[str]
     central: int | None
     collisions: int
@@ -85,7 +84,6 @@ def told(found: Fate) -> Told:
         found.verdict,
         found.name,
         reason(found),
-        found.why in EXACT,
         theorems(found),
         central(found),
         found.collisions,

@@ -23,6 +23,7 @@ from verify.language.statement import (
     SLIP,
 )
 from verify.language.terms import Claim
+from verify.language.typeset import LONG
 from verify.prover.decimals import outward
 from verify.prover.outcome import Outcome
 from verify.views import classification, everywhere, words
@@ -241,6 +242,7 @@ FILTERS = (
         words.constants_of,
         words.counts,
         words.headline,
+        words.rests_on_more,
         in_numbers,
         of_severity,
         place,
@@ -303,11 +305,10 @@ def _content(material: Material) -> dict[str, Any]:
         "CLASSES": CLASSES,
         "SETS": SETS,
         "MEASURED": MEASURED,
-        "CONDITIONALLY_PROVED": words.CONDITIONALLY_PROVED,
         "EVERYWHERE_IN_WORDS": everywhere.CLAIM,
         "SETTING": classification.SETTING,
         "THEOREMS": classification.THEOREMS,
-        "LONG": words.LONG,
+        "LONG": LONG,
         "MANY": rows.MANY,
     }
 

@@ -21,8 +21,8 @@ or to the context below which it stands. Nothing here is trusted.
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 from verify.language.statement import (
@@ -47,6 +47,7 @@ from verify.wire.text.infix import Names, read_claims, read_givens, read_term
 from verify.wire.text.letters import letter_of, name_of
 from verify.wire.text.points import a_point, estimate
 from verify.wire.text.roots import isolated
+from verify.wire.toml import TooLongError, toml_of
 
 #: What may stand in a page, and in its tables.
 TOP = ("title", "theorem", "parameters", "cites", "assumptions", "constants", "contexts", "rows")
@@ -85,15 +86,19 @@ def read_page(path: str, content: bytes, cited: Sequence[Cite] = ()) -> Page:
         InputError: naming the file, the line, the key, and what to write instead.
     """
     try:
-        text = content.decode()
-        table = tomllib.loads(text, parse_float=str)
+        table, text = toml_of(content)
     except UnicodeDecodeError as error:
         raise InputError(f"{path}: is not UTF-8; save it as UTF-8") from error
-    except (ValueError, RecursionError) as error:
+    except TooLongError as error:
+        raise InputError(f"{path}: {error}; make it shorter") from error
+    except ValueError as error:
         why = " ".join(str(error).split())
         instead = next((text for part, text in NO_TOML.items() if part in why), IN_QUOTES)
         raise InputError(f"{path}: is no TOML file ({why}); {instead}") from error
     return _Reader(Places(path, text), cited).page(table)
+
+
+_KEY_IN_LINE = re.compile(r'\s*+([A-Za-z0-9_."\'-]++(?:\s*+\.\s*+[A-Za-z0-9_"-]++)*+)\s*+=')
 
 
 class Places:
@@ -122,20 +127,22 @@ class Places:
 
     def _key_line(self, keys: list[str]) -> int:
         """The line with the longest part of the keys that a line has."""
+        parts = (tuple(keys[:length]) for length in range(len(keys), 0, -1))
+        return next((self._key_lines[part] for part in parts if part in self._key_lines), 0)
+
+    @cached_property
+    def _key_lines(self) -> dict[tuple[str, ...], int]:
+        """For each key the first line in which it stands."""
         table: list[str] = []
-        best, length = 0, 0
+        found: dict[tuple[str, ...], int] = {}
         for number, line in enumerate(self.lines, 1):
             header = re.match(r"\s*\[+([^\[\]]+)\]+\s*(#|$)", line)
             if header:
                 table = _keys(header[1])
-                here = table
-            else:
-                match = re.match(r'\s*([A-Za-z0-9_."\'-]+(?:\s*\.\s*[A-Za-z0-9_"-]+)*)\s*=', line)
-                here = [*table, *_keys(match[1])] if match else []
-            same = len(here) if here == keys[: len(here)] else 0
-            if same > length:
-                best, length = number, same
-        return best
+                found.setdefault(tuple(table), number)
+            elif match := _KEY_IN_LINE.match(line):
+                found.setdefault((*table, *_keys(match[1])), number)
+        return found
 
 
 def _keys(text: str) -> list[str]:

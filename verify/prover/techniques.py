@@ -128,6 +128,8 @@ LAST = (
     Technique("a very large tree", partial(by_tree, leaves=10 * MANY_LEAVES)),
     Technique("sums of the longest products", partial(by_products, degree=4)),
 )
+#: Those of them that use equations, which estimates do not look at.
+LAST_WITH_EQUATIONS = (LAST[0], LAST[3])
 
 
 ANYWHERE = Hint()
@@ -190,7 +192,7 @@ def _of_equation(question: Question) -> Iterator[tuple[Question, tuple[Technique
     if widened.clears():
         yield widened, (NORMAL_FORM,)
     yield question, (LAWS,)
-    if question.clears() and question.may_be_equal():
+    if question.clears() and widened.may_be_equal():
         yield question, EQUATIONS
 
 
@@ -213,6 +215,8 @@ def _of_all_that_is_known(question: Question) -> Iterator[tuple[Question, tuple[
         for asked in dict.fromkeys((question, widened)):
             if _is_small(asked) and asked.clears() and not asked.is_refuted():
                 yield asked, group
+            elif group is LAST and asked is widened and asked.equations and asked.clears():
+                yield asked, LAST_WITH_EQUATIONS
 
 
 def _is_small(question: Question) -> bool:

@@ -28,6 +28,7 @@ from verify.prover.clearing import divisors, has_value
 from verify.prover.goal import Bounds, Goal, bounds_of, definitions_below, narrowed
 from verify.prover.ground import Ground
 from verify.prover.hint import Hint
+from verify.prover.lengths import Lengths
 from verify.prover.proof import Proof
 from verify.prover.relations import MEANINGS
 from verify.prover.rules import (
@@ -56,6 +57,7 @@ class Universal:
         self.refused: set[str] = set()  # techniques whose proof the checker cannot afford
         self.left: dict[str, tuple[Fraction, Fraction]] = {}  # the part of a box that is open
         self.hints: dict[Claim, Hint] = {}  # where to look for the proof of a claim
+        self.lengths = Lengths()
         self.contexts: dict[str, Context] = {}
         self.failed: Given | None = None  # at the values at which it was not shown
         self.valueless: set[Term] = set()  # quotients, roots and logarithms not seen to have one

@@ -146,6 +146,7 @@ def _columns(system: System, degree: int) -> Iterator[Fact]:
     gens = system.context.gens()
     bases = [*gens, *(a - b for a, b in combinations(gens, 2))]
     bases += [a + b for a, b in combinations(gens, 2)]
+    bases += _roots(system)
     for base in bases:
         square: Value = ("square", expanded(base, system.atoms))
         yield Fact(system.reduced(base * base), square, False)
@@ -156,6 +157,15 @@ def _columns(system: System, degree: int) -> Iterator[Fact]:
                     ("mul", square, fact.value),
                     False,
                 )
+
+
+def _roots(system: System) -> Iterator[fmpq_mpoly]:
+    """The monomials of degree 2 or more whose squares are monomials of facts or of the goal."""
+    every = [system.goal, *system.facts]
+    found = dict.fromkeys(tuple(map(int, m)) for fact in every for m in fact.polynomial.monoms())
+    for monomial in found:
+        if sum(monomial) > 2 and not any(power % 2 for power in monomial):
+            yield system.context.from_dict({tuple(k // 2 for k in monomial): fmpq(1)})
 
 
 def _product(system: System, facts: Sequence[Fact]) -> Fact:

@@ -31,10 +31,9 @@ class Lengths:
     def is_too_long(self, terms: Iterable[Term], definitions: Mapping[str, Term]) -> bool:
         """Whether a number in them is so large, or so near to 0, that nobody can write it down."""
         every, known = [*terms], dict[Term, Size]()
-        new = {name for name in names_of(*every) if name not in self._named}
-        for name, term in definitions_below(new, definitions).items() if new else ():
-            if name not in self._named:
-                self._named[name] = fold(term, self._algebra, {})
+        new = {name: term for name, term in definitions.items() if name not in self._named}
+        for name, term in definitions_below(names_of(*every), new).items() if new else ():
+            self._named[name] = fold(term, self._algebra, {})
         sizes = (fold(part, self._algebra, known) for part in parts_of(*every))
         return any(size is not None and abs(size[1]) > MAX_BITS for size in sizes)
 

@@ -54,6 +54,14 @@ class WorkBudget:
             now = monotonic()
             self._row_end = now + (self._end - now) / rows
 
+    def share(self, rows: int) -> WorkBudget:
+        """A budget for a row more, where so many are left: as much work, and a share of the time.
+
+        What it is for has no name that is watched.
+        """
+        left = None if self._end is None else max(0.0, self._end - monotonic()) / (1 + rows)
+        return WorkBudget(self.work, left)
+
     def refill(self) -> None:
         """A new row has all the work before it."""
         self.left = self.work

@@ -140,6 +140,7 @@ def _unopened(context: Context, universal: Universal) -> str:
     if universal.lengths.is_too_long(_terms(context), universal.ground.definitions):
         return f"the context {context.name}: {TOO_LONG}"
     undo, opened = universal.mark(), False
+    universal.failed = universal.undefined = None
     try:
         opened = universal.open(context)
     finally:
@@ -149,7 +150,9 @@ def _unopened(context: Context, universal: Universal) -> str:
     if opened:
         return ""
     reason = f"the context {context.name} was not seen to have a point"
-    failed = universal.failed
+    failed, undefined = universal.failed, universal.undefined
+    if undefined is not None:
+        return f"{reason}: its given {undefined.name} was not seen to be defined by the others"
     return reason if failed is None else f"{reason}: its given {failed.name} was not shown there"
 
 

@@ -60,6 +60,7 @@ class Universal:
         self.lengths = Lengths()
         self.contexts: dict[str, Context] = {}
         self.failed: Given | None = None  # at the values at which it was not shown
+        self.undefined: Given | None = None  # which was not seen to be defined by others
         self.valueless: set[Term] = set()  # quotients, roots and logarithms not seen to have one
         self.depth = 0  # of lemmas that lemmas need
         self.rows: set[str] = set()  # that are proved, so that later ones may use them
@@ -147,6 +148,7 @@ class Universal:
         for given in context.givens:
             parts = parts_of(given.claim.lhs, given.claim.rhs)
             if not all(has_value(part, is_fact) for part in parts):
+                self.undefined = given
                 return False
             earlier.add(given.claim)
         return True

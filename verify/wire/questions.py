@@ -11,6 +11,7 @@ from verify import check
 from verify.language.errors import UnreadError
 from verify.language.statement import NEEDED, PROVED, UNDECIDED, Cite, Obligation, Statement
 from verify.prover.budget import WorkBudget
+from verify.prover.definedness import completed
 from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Step
@@ -80,7 +81,15 @@ def decide(
         InputError: for a statement that the checker cannot read.
         OwnError: if the checker refuses what the search calls proved.
     """
-    price, cited = Reading(statement).price, list(_proved(statement.cites))
+    budget, cited = budget or WorkBudget(), list(_proved(statement.cites))
+
+    def proves(part: Statement) -> bool:
+        found = prove(part, budget=budget.share(len(statement.obligations)), cited=cited)
+        return not found.spent and all(d.claimed == PROVED for d in found.decisions.values())
+
+    reading, asked = Reading(statement), statement
+    statement = completed(statement, proves)
+    price = reading.price if statement is asked else Reading(statement).price
     outcome = prove(statement, budget=budget, price=price, hints=hints, cited=cited)
     try:
         return judged(outcome)

@@ -225,14 +225,20 @@ class Question:
         return known
 
     def fact(self, claim: Claim) -> str | None:
-        """The name of a fact that is proved now; None if that fails, or lemmas are too deep."""
+        """The name of a fact that is proved now; None if that fails, or lemmas are too deep.
+
+        Sums may use it: its divisors and radicands have the facts that they need, although
+        enclosures prove it without them.
+        """
         known, depth = self.known, self.known.depth
         if depth > MAX_DEPTH:
             known.reasons["lemmas inside lemmas are too deep"] = None
             return None
         known.depth += 1
         try:
-            return known.fact(claim, self.goal.context)
+            found = known.fact(claim, self.goal.context)
+            cleared = found is not None and known.clears((claim.lhs, claim.rhs), self.goal.context)
+            return found if cleared else None
         finally:
             known.depth = depth
 

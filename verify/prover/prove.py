@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from functools import partial
+from time import monotonic
 from types import MappingProxyType
 
 from verify.language.statement import (
@@ -96,31 +97,32 @@ def _unused_prefix(statement: Statement) -> str:
 
 def _opened(statement: Statement, universal: Universal) -> dict[str, str]:
     """Define all constants and open all contexts; the names of what could not be, and why."""
-    missing: dict[str, str] = {}
+    missing, budget = dict[str, str](), universal.budget
     parameters = [Constant(n, n, n, "", term) for n, term in statement.parameters.items()]
     for constant in (*parameters, *statement.constants):
-        _note(
-            missing,
-            constant.name,
-            names_of(constant.term),
-            partial(_undefined, constant, universal),
-        )
+        names: tuple[str, ...] = (*names_of(constant.term),)
+        _note(missing, constant.name, names, partial(_undefined, constant, universal), budget)
     for context in statement.contexts:
         universal.budget.refill()
         names = (context.parent or "", *names_of(*_terms(context)))
-        _note(missing, context.name, names, partial(_unopened, context, universal))
+        _note(missing, context.name, names, partial(_unopened, context, universal), budget)
         if context.name in missing:
             missing |= {one.name: missing[context.name] for one in context.constants}
     return missing
 
 
 def _note(
-    missing: dict[str, str], name: str, names: Iterable[str], failed: Callable[[], str]
+    missing: dict[str, str],
+    name: str,
+    names: Iterable[str],
+    failed: Callable[[], str],
+    budget: WorkBudget,
 ) -> None:
     """Afterwards it is known why something is missing, if it is, or what it rests on."""
     reason = next((missing[other] for other in names if other in missing), "")
     try:
-        reason = reason or failed()
+        with budget.alarm():
+            reason = reason or failed()
     except (ArithmeticError, RecursionError) as error:
         reason = f"{name} was not decided: {_why(error)}"
     if reason:
@@ -207,7 +209,8 @@ def _tried(row: Obligation, universal: Universal, price: Price) -> Decision:
     for table in (universal.reasons, universal.tried, universal.left, universal.valueless):
         table.clear()
     try:
-        found = _decide(row, universal.ground, universal)
+        with universal.budget.alarm():
+            found = _decide(row, universal.ground, universal)
     except Exception as error:
         found = Decision(UNDECIDED, reason=_why(error))
     except KeyboardInterrupt:
@@ -218,7 +221,10 @@ def _tried(row: Obligation, universal: Universal, price: Price) -> Decision:
     if found.claimed == UNDECIDED:
         undo()
         return found._replace(reason=_reason(found, row, universal))
-    reason = price(row, found.claimed, universal.session.steps[first:])
+    begin = monotonic()
+    with universal.budget.alarm():
+        reason = price(row, found.claimed, universal.session.steps[first:])
+    universal.budget.set_aside(monotonic() - begin)
     if reason:
         undo()
         universal.refused.add(universal.found_by)

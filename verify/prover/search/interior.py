@@ -28,11 +28,13 @@ from verify.prover.search.local_minima import DISTANCES, Violations, simple_poin
 from verify.prover.search.simplex import Column, solution
 
 #: About the number of microseconds that a point may take.
-WORK = 4_000_000
+WORK = 300_000
 #: The row that says that a sum is strict.
 STRICT = 0
 #: What is violated by less than this may hold at a short number near by.
 NEAR = 1e-6
+#: Other givens of more variables are not looked for.
+MAX_VARIABLES = 14
 #: So many places where little is violated are looked at.
 MAX_PLACES = 8
 
@@ -211,7 +213,8 @@ class Givens:
     def near_misses(self) -> Iterator[Point]:
         """Short numbers near the places where the givens are violated least."""
         names = {name for claim in self.claims for name in names_of(claim.lhs, claim.rhs)}
-        if not names <= {*self.variables, *self.numbers}:
+        is_small = len(self.variables) <= MAX_VARIABLES
+        if not (is_small and names <= {*self.variables, *self.numbers}):
             return
         givens = tuple(Given("", claim) for claim in self.claims)
         own = tuple(Variable(name, name, name) for name in self.variables)

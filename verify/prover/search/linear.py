@@ -15,7 +15,7 @@ from flint import fmpq, fmpq_mpoly
 from verify.language.record import Record
 from verify.language.statement import Given
 from verify.language.terms import Claim, as_term, symbol
-from verify.prover.clearing import expanded
+from verify.prover.clearing import TooLongError, expanded
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value, product_of
 from verify.prover.rules import Sum
@@ -62,7 +62,10 @@ def by_products(question: Question, degree: int) -> Proof | None:
 def find_ranges(question: Question) -> bool:
     """Afterwards variables have the bounds that linear facts give them; whether that is news."""
     known, place = question.known, question.goal.context
-    system, found = System(question), False
+    try:
+        system, found = System(question), False
+    except TooLongError:
+        return False
     for name, bounds in question.goal.variables.items():
         if not known.is_at_home(name, place):
             continue

@@ -7,15 +7,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from operator import gt
 
-from verify.language.terms import Claim, Term
+from verify.language.terms import Claim, Term, names_of, parts_of
 from verify.prover.budget import WorkBudget
-from verify.prover.goal import Bounds, Goal
+from verify.prover.goal import Bounds, Goal, definitions_below
 from verify.prover.numbers import float_of
 from verify.prover.search.compiled import estimates
 
 #: How many starts there are, and how many steps from each.
 STARTS = 24
 STEPS = 400
+#: So many operations on floats take a microsecond.
+OPERATIONS = 8
 #: A variable without a bound is looked for at first within this distance.
 FAR = 4.0
 
@@ -43,7 +45,7 @@ class Minima:
         terms = [term for claim in (goal.claim, *givens) for term in (claim.lhs, claim.rhs)]
         sides = estimates(names, terms, goal.definitions)
         self.bounds = [_ends(b.low, b.high) for b in goal.variables.values()]
-        self.budget, self.cost = budget, 4
+        self.budget, self.cost = budget, _cost(terms, goal.definitions)
 
         def function(x: Sequence[float]) -> float:
             try:
@@ -142,6 +144,7 @@ class Violations(Minima):
         super().__init__(Goal(claims[0], None, variables, (), definitions), budget, far=far)
         terms = [term for claim in claims for term in (claim.lhs, claim.rhs)]
         sides = estimates([*variables], terms, definitions)
+        self.cost = _cost(terms, definitions)
         relations = [claim.relation for claim in claims]
 
         def function(x: Sequence[float]) -> float:
@@ -160,6 +163,12 @@ class Violations(Minima):
             return total
 
         self.function = function
+
+
+def _cost(terms: Sequence[Term], definitions: Mapping[str, Term]) -> int:
+    """The work of two values of terms: about a microsecond, and one for each few operations."""
+    names = definitions_below(names_of(*terms), definitions)
+    return 4 + sum(1 for _ in parts_of(*terms, *names.values())) // OPERATIONS
 
 
 def _ends(low: Fraction | None, high: Fraction | None) -> tuple[float, float]:

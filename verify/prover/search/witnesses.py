@@ -15,7 +15,7 @@ from flint import fmpq_mpoly
 
 from verify.language.statement import Context
 from verify.language.terms import Claim, Term, as_term, names_of, parts_of, sqrt, substitute
-from verify.prover.clearing import coefficients, expanded
+from verify.prover.clearing import TooLongError, coefficients, expanded
 from verify.prover.goal import Bounds, Goal
 from verify.prover.points import failure_test
 from verify.prover.search.local_minima import DISTANCES, Violations, simple_points
@@ -39,7 +39,10 @@ def false_points(question: Question, context: Context) -> Iterator[Values]:
     wide = question.widened() or question
     if not wide.clears() or not wide.goal.variables.keys() <= context.point.keys():
         return
-    system = System(wide)
+    try:
+        system = System(wide)
+    except TooLongError:
+        return
     for solved in _forms(system):
         for values in _Search(wide, solved).points():
             yield {**context.point, **_at(values, solved)}
@@ -48,8 +51,12 @@ def false_points(question: Question, context: Context) -> Iterator[Values]:
 def is_false(question: Question) -> bool:
     """Whether there are short numbers at which the givens hold and the claim does not."""
     undo = question.known.mark()
-    system = System(question)
-    undo()
+    try:
+        system = System(question)
+    except TooLongError:
+        return False
+    finally:
+        undo()
     return any(True for solved in _forms(system) for _ in _Search(question, solved).points())
 
 

@@ -23,6 +23,12 @@ def _unseen(_name: str) -> None:
     pass
 
 
+class Share:
+    """A part of a budget: whether all of it was taken."""
+
+    is_over = False
+
+
 class WorkBudget:
     """Units of work, about a microsecond each, for each row; and seconds for all rows together.
 
@@ -63,6 +69,21 @@ class WorkBudget:
             yield found
         finally:
             self.interrupted |= found.interrupted
+
+    @contextmanager
+    def at_most(self, units: int) -> Iterator[Share]:
+        """What is inside ends without an error when it has taken so many units of work."""
+        kept, share = max(0, self.left - units), Share()
+        self.left -= kept
+        try:
+            yield share
+        except SpentError:
+            late = self._row_end is not None and monotonic() > self._row_end
+            if self.interrupted or late or self.left + kept < 0:
+                raise
+            share.is_over = True
+        finally:
+            self.left += kept
 
     def begin(self, name: str, rows: int) -> None:
         """A row begins, and with it so many are left."""

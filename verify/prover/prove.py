@@ -28,6 +28,7 @@ from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import Step
 from verify.prover.reasons import hardest, without_value
 from verify.prover.rows_in_contexts import RowsInContexts
+from verify.prover.search.relevance import facts_around
 from verify.prover.session import Session
 from verify.prover.techniques import find
 from verify.prover.universal import Universal
@@ -180,13 +181,26 @@ def _hinted(row: Obligation, universal: Universal, price: Price, hint: Hint) -> 
     """The decision on a row that may use what its hint says."""
     if hint == Hint() or not isinstance(row.claim, Claim):
         return _priced(row, universal, price)
-    others = set() if hint.using is None else universal.rows - {*hint.using}
-    universal.rows -= others
     universal.hints = {row.claim: hint}
-    found = _priced(row, universal, price)
-    universal.hints = {}
-    universal.rows |= others
+    try:
+        for hidden in _hidden(row, hint, universal):
+            universal.hidden, universal.is_restricted = hidden, hint.using is not None
+            found = _priced(row, universal, price)
+            if found.claimed != UNDECIDED:
+                break
+    finally:
+        universal.hidden, universal.is_restricted, universal.hints = frozenset(), False, {}
     return found
+
+
+def _hidden(row: Obligation, hint: Hint, universal: Universal) -> list[frozenset[str]]:
+    """What is not used: givens and rows that a hint does not name; then only such rows."""
+    if hint.using is None:
+        return [frozenset()]
+    rows = frozenset(universal.rows).difference(hint.using)
+    goal = universal.goal(row.claim, row.context) if isinstance(row.claim, Claim) else None
+    facts = () if goal is None else facts_around(goal, universal)
+    return [*dict.fromkeys((rows.union(facts).difference(hint.using), rows))]
 
 
 def _priced(row: Obligation, universal: Universal, price: Price) -> Decision:

@@ -32,6 +32,7 @@ from verify.prover.search.multiple_angles import by_multiple_angles
 from verify.prover.search.positive import few_squares, plain_squares, squares
 from verify.prover.search.quadratic import by_completing_squares
 from verify.prover.search.question import Question
+from verify.prover.search.relevance import rounds
 from verify.prover.search.rising import by_monotony, by_powers, by_same_arguments
 from verify.prover.search.signs import by_signs
 from verify.prover.search.squaring import by_squaring
@@ -142,7 +143,32 @@ TECHNIQUES = tuple(
 
 
 def find(goal: Goal, known: Universal) -> Proof | None:
-    """The first proof that a technique finds; why one of them gave up is kept as a reason."""
+    """The first proof that a technique finds; why one of them gave up is kept as a reason.
+
+    Among many facts it is looked for with the nearest ones first.
+    """
+    if known.is_restricted:
+        return _found(goal, known)
+    finished, known.is_restricted = set[frozenset[str]](), True
+    try:
+        for hidden, units in rounds(goal, known):
+            if hidden in finished:
+                continue
+            undo, known.hidden = known.mark(), hidden
+            with known.budget.at_most(units) as share:
+                proof = _found(goal, known)
+                if proof is not None:
+                    return proof
+            if not share.is_over:
+                finished.add(hidden)
+            undo()
+    finally:
+        known.hidden, known.is_restricted = frozenset(), False
+    return None
+
+
+def _found(goal: Goal, known: Universal) -> Proof | None:
+    """The first proof that a technique finds with what may be used."""
     hint = known.hints.get(goal.claim, ANYWHERE)
     for question, techniques in _stages(goal, known):
         for technique in techniques:

@@ -64,6 +64,8 @@ class Universal:
         self.valueless: set[Term] = set()  # quotients, roots and logarithms not seen to have one
         self.depth = 0  # of lemmas that lemmas need
         self.rows: set[str] = set()  # that are proved, so that later ones may use them
+        self.hidden: frozenset[str] = frozenset()  # givens and rows that are not to be used now
+        self.is_restricted = False  # whether it is decided what is hidden
         self.bounds: dict[str, Bounds] = {}
         self.ranged: set[str | None] = set()  # contexts in which more bounds were looked for
         self._homes: dict[str, str] = {}
@@ -121,6 +123,11 @@ class Universal:
                     claim = Claim(relation, *sides)
                     proof = Sum(("goal", given.name, lemma))
                     yield Given(self.session.lemma(claim, proof, context.name), claim)
+
+    @property
+    def usable_rows(self) -> set[str]:
+        """The proved rows that may be used now."""
+        return (self.rows & self.session.claims.keys()) - self.hidden
 
     def is_at_home(self, name: str, context: str | None) -> bool:
         """Whether a variable is one of this context, not of one around it."""

@@ -63,8 +63,19 @@ def report_on(outcome: Outcome) -> check.Report:
     rows = tuple(row for row, found in outcome.rows if found.claimed != UNDECIDED)
     if outcome.claimed == UNDECIDED:
         rows = tuple(row._replace(role=NEEDED) for row in rows)
-    asked = outcome._replace(statement=outcome.statement._replace(obligations=rows))
-    return _report(write(asked))
+    return _report(write(_restricted(outcome, rows)))
+
+
+def _restricted(outcome: Outcome, rows: tuple[Obligation, ...]) -> Outcome:
+    """The same with these rows only, and without constants and contexts that have no step."""
+    statement = outcome.statement._replace(obligations=rows)
+    if outcome.spent:
+        made = {step.name for step in outcome.steps}
+        statement = statement._replace(
+            constants=tuple(one for one in statement.constants if one.name in made),
+            contexts=tuple(one for one in statement.contexts if one.name in made),
+        )
+    return outcome._replace(statement=statement)
 
 
 def with_verdicts(outcome: Outcome, report: check.Report) -> Outcome:

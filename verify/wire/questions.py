@@ -11,7 +11,8 @@ from typing import Any
 from verify import check
 from verify.language.errors import UnreadError
 from verify.language.statement import NEEDED, PROVED, UNDECIDED, Cite, Obligation, Statement
-from verify.prover.budget import WorkBudget
+from verify.prover.budget import SpentError, WorkBudget
+from verify.prover.definedness import completed
 from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Step
@@ -82,7 +83,16 @@ def decide(
         InputError: for a statement that the checker cannot read.
         OwnError: if the checker refuses what the search calls proved.
     """
-    price, cited = Reading(statement).price, list(_proved(statement.cites))
+    budget, cited = budget or WorkBudget(), list(_proved(statement.cites))
+
+    def proves(part: Statement) -> bool:
+        with budget.part(1, 1 + len(statement.obligations)) as share:
+            found = prove(part, budget=share, cited=cited)
+        return not found.spent and all(d.claimed == PROVED for d in found.decisions.values())
+
+    reading, asked = Reading(statement), statement
+    statement = completed(statement, proves)
+    price = reading.price if statement is asked else Reading(statement).price
     outcome = prove(statement, budget=budget, price=price, hints=hints, cited=cited)
     try:
         return judged(outcome)
@@ -176,13 +186,15 @@ class Reading:
         """Why the checker does not come to the end of the steps for a row; or nothing."""
         try:
             self._read(row, claimed, steps)
-        except (check.Malformed, RecursionError) as error:
-            if not _is_limit(error):  # a mistake of ours, which the judge will name
+        except (check.Malformed, RecursionError, SpentError) as error:
+            is_late = isinstance(error, SpentError)
+            if not is_late and not _is_limit(error):  # a mistake of ours, which the judge will name
                 return ""
             self._begin()
             for batch in self._batches:
                 self._read(*batch)
-            return f"the proof that was found is more than the checker reads: {error!s:.200}"
+            what = "is checked too late" if is_late else "is more than the checker reads"
+            return f"the proof that was found {what}: {error!s:.200}"
         self._batches.append((row, claimed, tuple(steps)))
         return ""
 

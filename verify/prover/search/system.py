@@ -118,7 +118,7 @@ def _inequalities(question: Question) -> Iterator[tuple[str, Claim]]:
             if name in session.claims and session.claims[name].relation != "=":
                 yield name, session.claims[name]
     yield from question.given.items()
-    for name in sorted(question.known.rows & session.claims.keys()):
+    for name in sorted(question.known.usable_rows):
         if question.is_usable(name, session.claims[name]):
             yield name, session.claims[name]
 

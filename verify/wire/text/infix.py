@@ -10,8 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from functools import reduce
-from itertools import accumulate
+from itertools import accumulate, starmap
 
 from verify.language.fold import fold
 from verify.language.record import Record
@@ -479,7 +478,10 @@ class _Reader:
                 raise self.error(f"{self.next_word()}, and does not belong there")
         del self.indices[letter]
         self.at = end
-        return reduce(SUMS[word], terms)
+        while len(terms) > 1:  # a tree of small height, as long ones nest too deeply otherwise
+            pairs = zip(terms[::2], terms[1::2], strict=False)
+            terms = [*starmap(SUMS[word], pairs), *terms[len(terms) // 2 * 2 :]]
+        return terms[0]
 
     def _next_comma(self) -> int:
         """Where the argument ends that begins here."""

@@ -45,7 +45,7 @@ from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.text import Page
 from verify.wire.text.infix import Names, read_claims, read_givens, read_term
 from verify.wire.text.letters import letter_of, name_of
-from verify.wire.text.points import a_point, estimate
+from verify.wire.text.points import a_point, contradiction, estimate
 from verify.wire.text.roots import isolated
 from verify.wire.toml import TooLongError, toml_of
 
@@ -448,11 +448,14 @@ class _Reader:
             around = [other for other, home in self.scope.homes.items() if home is not None]
             at = a_point(new, givens, self.floats, {*around} - {*new})
             if at is None:
+                sides = ", ".join(f"{written} = ..." for written in names)
+                wrong = contradiction(new, givens)
                 raise self.places.error(
                     keys,
-                    "no point was found at which all givens hold; write one, such as "
-                    f"point = {{ {', '.join(f'{n} = 1' for n in names)} }}; "
-                    "or mend the givens, if they contradict one another",
+                    f"the givens contradict each other: {wrong}; mend one of them"
+                    if wrong
+                    else "no point was found at which all givens hold; write one, as "
+                    f"point = {{ {sides} }}; or mend the givens, if they contradict each other",
                 )
         self.floats |= {v: estimate(term, self.floats) for v, term in at.items()}
         constants = self._constants([*keys, "constants"], table.get("constants", {}), name)

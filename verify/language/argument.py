@@ -107,6 +107,12 @@ class ByInduction(Record):
     next: tuple[str, ...]
 
 
+class ByWitness(Record):
+    """The claim is false at these values, which satisfy all that is given."""
+
+    at: Mapping[str, Term]
+
+
 class ToBeFound(Record):
     """A sum that the prover has to find."""
 
@@ -121,6 +127,7 @@ Reason = (
     | ByInstance
     | ByApplying
     | ByInduction
+    | ByWitness
 )
 
 

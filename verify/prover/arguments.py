@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from verify.language import argument
 from verify.language.argument import Argument, Chapter, Defined, Line, Opened, Reason
-from verify.language.statement import PROVED, Context, Obligation, Statement
-from verify.language.terms import Claim
+from verify.language.statement import PROVED, REFUTED, Context, Obligation, Statement
+from verify.language.terms import Claim, Term
 from verify.prover import rules
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Premise, Proof
@@ -37,6 +38,7 @@ class Writing:
             for context in statement.contexts
             for constant in context.constants
         }
+        self.givens = {c.name: [g.claim for g in c.givens] for c in statement.contexts}
         self.decisions: dict[str, Decision] = {}
 
     def chapter(self, chapter: Chapter) -> None:
@@ -56,8 +58,11 @@ class Writing:
 
     def line(self, line: Line, context: str | None) -> None:
         """Write down a row, or a lemma."""
-        proof = proof_of(line.reason)
         row: Obligation | None = self.rows.get(line.name)
+        if row is not None and isinstance(line.reason, argument.ByWitness):
+            self.refuted(row, line.reason.at)
+            return
+        proof = proof_of(line.reason)
         if row is not None:
             self.decide(row, proof)
         elif isinstance(line.claim, Claim):
@@ -67,6 +72,18 @@ class Writing:
         """Write down the proof of a row."""
         self.decisions[row.name] = Decision(PROVED, proof)
         self.session.prove_row(row, proof)
+
+    def refuted(self, row: Obligation, at: Mapping[str, Term]) -> None:
+        """Write down that a row is false at a point."""
+        premises = tuple(map(premise, self.givens[row.context or ""]))
+        proof = rules.Witness(at, premises, rules.Interval(NUMBER_BITS))
+        self.session.prove_row(row, proof, holds=False)
+        self.decisions[row.name] = Decision(REFUTED, proof)
+
+
+def premise(claim: Claim) -> Premise:
+    """Why a given holds at a point: equations identically, between rational numbers."""
+    return rules.Sum() if claim.relation == "=" else rules.Interval(POINT_BITS)
 
 
 #: The rules that take just what a reason has.
@@ -89,7 +106,7 @@ def proof_of(reason: Reason) -> Proof:
             return rules.Entry(reason.side, reason.equation)
         case argument.ByInterval():
             return rules.Interval(NUMBER_BITS)
-        case argument.ToBeFound():
+        case argument.ToBeFound() | argument.ByWitness():
             raise TypeError("this proof has to be found")
     found: Proof = _SAME[type(reason)](*reason)
     return found

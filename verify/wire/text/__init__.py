@@ -10,13 +10,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from verify.language.argument import Chapter
 from verify.language.record import Record
 from verify.language.statement import Statement
 from verify.prover.hint import Hint
 
 
 class Page(Record):
-    """A statement, and hints by the names of its rows."""
+    """A statement, hints by the names of its rows, and the chapters of its argument, if any."""
 
     statement: Statement
     hints: Mapping[str, Hint]
+    chapters: tuple[Chapter, ...] = ()

@@ -26,7 +26,7 @@ CERTIFICATES = Path(__file__).parents[2] / "certificates"
 
 @pytest.mark.parametrize("name", PAGES)
 def test_a_page_is_the_statement_of_its_certificate(name: str) -> None:
-    outcome = decide(name)
+    outcome = decide(name, PAGES[name])
     files = write(outcome)
     assert outcome.verdict == PROVED
     for file in ("statement.json", "certificate.json"):

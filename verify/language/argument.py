@@ -63,6 +63,12 @@ class BySum(Record):
     equations: tuple[tuple[str, Term], ...] = ()
 
 
+class ByNames(Record):
+    """The sum of products of these facts, and squares, that has to be found."""
+
+    facts: tuple[Value, ...]
+
+
 class ByRoot(Record):
     """The root of a positive number is positive."""
 
@@ -120,6 +126,7 @@ class ToBeFound(Record):
 Reason = (
     ToBeFound
     | BySum
+    | ByNames
     | ByRoot
     | ByEntry
     | ByLeast

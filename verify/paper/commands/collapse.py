@@ -11,16 +11,16 @@ from verify.prover.outcome import Outcome
 @cache
 def decide_sharper() -> Outcome:
     """The theorem, each line with the proof that its reason describes."""
-    return decide("sharper")
+    return decide("sharper", "sharper")
 
 
 @cache
 def decide_sandwich() -> Outcome:
     """The theorem, each line with the proof that its reason describes."""
-    return decide("sandwich_below")
+    return decide("sandwich_below", "sandwich")
 
 
 @cache
 def decide_outside() -> Outcome:
     """The other half: above an orbit of such a map that ends, collisions in turn end."""
-    return decide("sandwich_above")
+    return decide("sandwich_above", "outside")

@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from contextlib import suppress
 from functools import cache
 from importlib.resources import files
+from pathlib import Path
 
 from verify.language.argument import Argument
-from verify.prover.arguments import write_down
+from verify.language.errors import OwnError
+from verify.prover.arguments import proofs_in, write_down
 from verify.prover.outcome import Outcome
+from verify.prover.proof import Proof
 from verify.wire.judge import judged
+from verify.wire.packaged import PACKAGED
+from verify.wire.read import read
+from verify.wire.term_json import WireError
 from verify.wire.text import Page
 from verify.wire.text.read_page import read_page
 
@@ -26,6 +34,23 @@ def argument(name: str) -> Argument:
 
 
 @cache
-def decide(name: str) -> Outcome:
-    """The theorem of a page, each line with the proof that the page names; the checker judges."""
+def decide(name: str, folder: str) -> Outcome:
+    """The theorem of a page, each line proved by what it names; the checker judges.
+
+    Where a line has names only, the sum in the certificate at hand is tried first: that in
+    ``folder`` of `certificates`, or of what comes with the program.
+    """
+    with suppress(OwnError):  # it refuses what is at hand where the page was changed since then
+        return judged(write_down(argument(name), _at_hand(folder)))
     return judged(write_down(argument(name)))
+
+
+def _at_hand(folder: str) -> Mapping[str, Proof]:
+    """The proofs in a certificate, if there is one at hand."""
+    for place in (PACKAGED, "certificates"):
+        both = [Path(place, folder, f"{kind}.json") for kind in ("statement", "certificate")]
+        if all(file.exists() for file in both):
+            statement, certificate = (file.read_bytes() for file in both)
+            with suppress(WireError):
+                return proofs_in(read(statement, certificate, {}))
+    return {}

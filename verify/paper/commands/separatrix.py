@@ -62,7 +62,7 @@ Step = tuple[Fraction, Fraction, Fraction, Fraction, Fraction]
 @cache
 def decide_separatrix() -> Outcome:
     """The theorem on the limit map, each line with the proof that its reason describes."""
-    return decide("separatrix")
+    return decide("separatrix", "separatrix")
 
 
 class PointParameters(Record):

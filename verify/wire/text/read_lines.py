@@ -26,6 +26,7 @@ from verify.language.argument import (
     ByInstance,
     ByInterval,
     ByLeast,
+    ByNames,
     ByRoot,
     BySum,
     ByWitness,
@@ -255,7 +256,7 @@ class Lines:
         if by is None and "using" not in table and "plus" not in table:
             return ToBeFound()
         if isinstance(by, list):
-            branches = tuple(self._sum(keys, {"by": text}, home) for text in by)
+            branches = tuple(self._branch(keys, text, home) for text in by)
             of = table.get("of")
             side = self.page.text([*keys, "side"], table.get("side", "rhs"), "lhs or rhs")
             return ByLeast(branches, of, side)
@@ -272,7 +273,7 @@ class Lines:
         instead = nearest(rule, RULES, f"write {', '.join(RULES)}")
         raise self.places.error([*keys, "rule"], f"{shown(rule)} is no rule here; {instead}")
 
-    def _sum(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> BySum:
+    def _sum(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> BySum | ByNames:
         inside = self.page.scope.inside(home)
         place = [*keys, "by"]
         text = self.page.text(place, table.get("by", ""), "names of facts")
@@ -287,9 +288,18 @@ class Lines:
         for fact in plus:
             self._fact([*keys, "plus"], fact)
         equations = tuple(plus.items())
-        if isinstance(addends, Facts):
-            addends = tuple(addends)
-        return BySum(addends, using, equations)
+        if not isinstance(addends, Facts):
+            return BySum(addends, using, equations)
+        if using or equations:
+            return BySum((), using, equations)
+        return ByNames(tuple(addends))
+
+    def _branch(self, keys: Keys, text: object, home: str | None) -> BySum:
+        """The sum for one entry of a minimum or maximum."""
+        found = self._sum(keys, {"by": text}, home)
+        if isinstance(found, BySum):
+            return found
+        raise self.places.error([*keys, "by"], 'write the products for each entry: "goal + a*b"')
 
     def _names(self, keys: Keys, value: object) -> tuple[str, ...]:
         """The facts of which a text has the names."""
@@ -335,6 +345,8 @@ def _terms(line: Line) -> Iterator[Term]:
         if isinstance(part, BySum):
             yield from (term for _, term in part.equations)
             yield from (term for value in part.addends for term in _squared(value))
+        if isinstance(part, ByNames):
+            yield from (term for value in part.facts for term in _squared(value))
         if isinstance(part, ByInstance):
             yield from part.values.values()
 
@@ -352,5 +364,7 @@ def _facts(reason: Reason) -> Iterator[str]:
     if isinstance(reason, BySum):
         yield from reason.using
         yield from (name for name, _ in reason.equations)
+    elif isinstance(reason, ByNames):
+        yield from (fact for fact in reason.facts if isinstance(fact, str))
     elif isinstance(reason, ByLeast | ByEntry) and reason.equation:
         yield reason.equation

@@ -63,6 +63,12 @@ class BySum(Record):
     equations: tuple[tuple[str, Term], ...] = ()
 
 
+class ByNames(Record):
+    """The sum of products of these facts, and squares, that has to be found."""
+
+    facts: tuple[Value, ...]
+
+
 class ByRoot(Record):
     """The root of a positive number is positive."""
 
@@ -107,6 +113,12 @@ class ByInduction(Record):
     next: tuple[str, ...]
 
 
+class ByWitness(Record):
+    """The claim is false at these values, which satisfy all that is given."""
+
+    at: Mapping[str, Term]
+
+
 class ToBeFound(Record):
     """A sum that the prover has to find."""
 
@@ -114,6 +126,7 @@ class ToBeFound(Record):
 Reason = (
     ToBeFound
     | BySum
+    | ByNames
     | ByRoot
     | ByEntry
     | ByLeast
@@ -121,6 +134,7 @@ Reason = (
     | ByInstance
     | ByApplying
     | ByInduction
+    | ByWitness
 )
 
 

@@ -35,7 +35,7 @@ ROOTS = ("sqrt", "root")
 
 
 class TooLongError(ArithmeticError):
-    """Expanding terms takes more products than ``MAX_PRODUCTS``, or leads to high degrees."""
+    """Expanding terms takes more products than are allowed, or leads to high degrees."""
 
 
 def inner_first(terms: Iterable[Term], inside: Callable[[Term], Iterable[Term]]) -> list[Term]:
@@ -186,8 +186,10 @@ class Clearing(Quotients):
         terms: Iterable[Term],
         replaced: Mapping[Term, Term],
         is_negative: Callable[[Term], bool] | None = None,
+        most: int = MAX_PRODUCTS,
     ) -> None:
         super().__init__()
+        self.most = most
         self.replaced, self._is_negative = replaced, is_negative
         self.atoms = atoms_of(terms, replaced)
         names = tuple(f"x{i}" for i in range(len(self.atoms)))
@@ -211,7 +213,7 @@ class Clearing(Quotients):
 
     def _count(self, products: int) -> None:
         self.products += products
-        if self.products > MAX_PRODUCTS:
+        if self.products > self.most:
             raise TooLongError
 
     def constant(self, value: Fraction) -> Polynomial:

@@ -50,7 +50,7 @@ def regular_file(path: str, most: int) -> bytes:
     return content
 
 
-def rational(option: str, text: str) -> Fraction:
+def rational(option: object, text: str) -> Fraction:
     """Read ``3/100``, ``0.03`` or ``3e-2`` exactly.
 
     Raises:
@@ -224,7 +224,7 @@ def integer(option: str, text: str, least: int, most: int) -> int:
     return int(text)
 
 
-def _check_length(option: str, text: str) -> None:
+def _check_length(option: object, text: str) -> None:
     if len(text) > MAX_LENGTH:
         raise InputError(
             f"{option}: {shown(text)} has {len(text)} characters; write at most {MAX_LENGTH}"

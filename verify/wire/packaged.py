@@ -22,7 +22,7 @@ AS_PRINTED = "printed"
 PACKAGED_FILES = {
     "step": {
         "statement.json": "920523cdfa1f9afd807f321e05b78cadd7ee760b1a5764d4e1f36c9a7e786716",
-        "certificate.json": "ce909c3ef9d00dc3325569b78dd887f0dd2983924fd064b402bf35eb9ea346a6",
+        "certificate.json": "25236b082b9cf3cceeff68dfd52115a55bb8507e6d307924ad5cff2b25935eec",
     },
     "step-printed": {
         "statement.json": "1aa67de5dabc18e6bcb076c0e7974e19b4363aa9f9b1935d8ef599e125b1a25b",
@@ -50,19 +50,19 @@ PACKAGED_FILES = {
     },
     "classification": {
         "statement.json": "569536f6f737b332a6639a14e1b17d8a66ed12a481014b00afc956fabfa560ab",
-        "certificate.json": "3f83f75a226dc1cc94a0d4e3c2d6754cf37dd0a563e8763d48d8772571bef629",
+        "certificate.json": "00ae127acd0ac1b159de5d65cddd2c59c8297c38257a9e68a2b10a79abdc2360",
     },
     "elsewhere": {
         "statement.json": "181792ad7ec7f2175bb89072eab89add2312e806111684bdafdf88cb98b09151",
-        "certificate.json": "8984fc582f9ae85128dcd1cf09542c4b626def2d282ccca8973d149704087b09",
+        "certificate.json": "22bd5211b6e5f66e11c24ec50522ac5ec883a7fdca776f8257fc125d3a654123",
     },
     "sharper": {
         "statement.json": "52d5abca77e65dd9c6c064ef529d4774214a42f6914bb076b725552dd0940776",
-        "certificate.json": "e4919ddc3a8a743f6a23e7fa8871a3c52e5338693f869daf2abea4131c4cce69",
+        "certificate.json": "52bf65d988214955a003a13c0de0dd745538e6a65af9b62d488e281873240d92",
     },
     "sandwich": {
         "statement.json": "c4a6b29d0fb22d2b4c1b93aef03e7f3b1df83d4922468a59103e03abd25083b9",
-        "certificate.json": "7e9a37062e3ebadf434d8e07374ee0e066b843bbc0bfc376759276c7e9ba771c",
+        "certificate.json": "641b74fbafa49f91669cdb7c294f79a1ffb796198fc1bde675d0138db20d7438",
     },
     "flow": {
         "statement.json": "63e41a57a263ab3bc26da25168946bcc4dbcc0661e77b674833aa1c073e32efd",

@@ -3,17 +3,11 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from functools import cache
 
-from verify.language.statement import PROVED, REFUTED, UNDECIDED
-from verify.paper.classification import image
-from verify.paper.classification.classification import classification
-from verify.prover.arguments import NUMBER_BITS, write_down
-from verify.prover.outcome import Decision, Outcome
-from verify.prover.proof import ObligationStep
-from verify.prover.rules import Interval, Witness
+from verify.language.statement import PROVED, UNDECIDED
+from verify.paper.commands.pages import decide
+from verify.prover.outcome import Outcome
 from verify.views.material import AtR
-from verify.wire.judge import judged
 
 #: Bits of the least final -cos.
 BITS = 160
@@ -21,22 +15,9 @@ BITS = 160
 BUDGET = 1 << 37
 
 
-@cache
 def decide_classification() -> Outcome:
     """The theorems, and the verdicts of the checker."""
-    return judged(claimed_classification())
-
-
-def claimed_classification() -> Outcome:
-    """The theorems, each line with the proof that its reason describes; last a misprint."""
-    outcome = write_down(classification())
-    row = outcome.statement.obligations[-1]
-    (givens,) = [c.givens for c in outcome.statement.contexts if c.name == row.context]
-    numbers = Interval(NUMBER_BITS)
-    proof = Witness(image.FALSE_AT, tuple(numbers for _ in givens), numbers)
-    decisions = {**outcome.decisions, row.name: Decision(REFUTED, proof)}
-    steps = (*outcome.steps, ObligationStep(row.name, proof))
-    return outcome._replace(decisions=decisions, steps=steps)
+    return decide("classification", "classification")
 
 
 def at_restitution(r: Fraction) -> AtR:

@@ -4,27 +4,23 @@ from __future__ import annotations
 
 from functools import cache
 
-from verify.paper.outside.outside import outside
-from verify.paper.sandwich.sandwich import sandwich
-from verify.paper.sharper.sharper import sharper
-from verify.prover.arguments import write_down
+from verify.paper.commands.pages import decide
 from verify.prover.outcome import Outcome
-from verify.wire.judge import judged
 
 
 @cache
 def decide_sharper() -> Outcome:
     """The theorem, each line with the proof that its reason describes."""
-    return judged(write_down(sharper()))
+    return decide("sharper", "sharper")
 
 
 @cache
 def decide_sandwich() -> Outcome:
     """The theorem, each line with the proof that its reason describes."""
-    return judged(write_down(sandwich()))
+    return decide("sandwich_below", "sandwich")
 
 
 @cache
 def decide_outside() -> Outcome:
     """The other half: above an orbit of such a map that ends, collisions in turn end."""
-    return judged(write_down(outside()))
+    return decide("sandwich_above", "outside")

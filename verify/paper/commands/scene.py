@@ -13,12 +13,9 @@ from functools import cache
 
 from verify.language.statement import PROVED, Applies, Cite, Context, Obligation, Statement
 from verify.language.terms import Claim, Term
-from verify.paper.commands.classification import claimed_classification
-from verify.paper.line import line
+from verify.paper.commands.pages import argument
 from verify.paper.sandwich.comparison import stair
-from verify.paper.sandwich.sandwich import sandwich
 from verify.paper.sandwich.state import start_context as sandwich_start
-from verify.paper.sharper.sharper import sharper
 from verify.paper.sharper.state import start_context as sharper_start
 from verify.prover import balls
 from verify.prover.arguments import write_down
@@ -68,6 +65,15 @@ MORE_BITS = (1, 2, 4, 8, 16)
 MANY, FEW_BITS = 500, 80
 
 
+#: The pages of the theorems that a scene may cite.
+PAGES = {
+    CLASSIFICATION: "classification",
+    LINE: "line",
+    SANDWICH: "sandwich_below",
+    SHARPER: "sharper",
+}
+
+
 @cache
 def decide_flow() -> Outcome:
     """One collision of the flow, for every state."""
@@ -77,14 +83,14 @@ def decide_flow() -> Outcome:
 @cache
 def decide_line() -> Outcome:
     """The collapse of spheres on a line."""
-    return judged(write_down(line()))
+    return judged(write_down(argument("line")))
 
 
 @cache
 def cited_contexts() -> dict[str, Context]:
     """The contexts that a scene applies, by the names by which it cites them."""
     found = {f"{FLOW}:{context.name}": context for context in flow().statement.contexts}
-    found |= {START: sharper_start(), LINE_START: line().statement.contexts[0]}
+    found |= {START: sharper_start(), LINE_START: argument("line").statement.contexts[0]}
     return found | {SANDWICH_START: sandwich_start(), STAIR: stair()}
 
 
@@ -189,9 +195,7 @@ def cites(found: Fate) -> list[Cite]:
 @cache
 def _cite(name: str) -> Cite:
     """What is claimed in a theorem, with its proof; whoever writes the scene has both checked."""
-    arguments = {FLOW: flow, SHARPER: sharper, SANDWICH: sandwich, LINE: line}
-    is_argument = name != CLASSIFICATION
-    outcome = write_down(arguments[name]()) if is_argument else claimed_classification()
+    outcome = write_down(flow() if name == FLOW else argument(PAGES[name]))
     files, trusted = write(outcome), outcome.assumptions
     content, certificate = files["statement.json"], files["certificate.json"]
     return Cite(name, outcome.statement.theorem, content, (), trusted, certificate)

@@ -26,11 +26,11 @@ from verify.language.statement import (
     Statement,
 )
 from verify.language.terms import Claim, Number, Term, as_term, symbol
+from verify.paper.commands.pages import decide
 from verify.paper.letters import Letters
 from verify.paper.separatrix import growth, order, trap
 from verify.paper.separatrix.model import LABEL, THRESHOLD
 from verify.paper.separatrix.theorem import NAME, separatrix
-from verify.prover.arguments import write_down
 from verify.prover.decimals import exact_number, round_decimal
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
@@ -62,7 +62,7 @@ Step = tuple[Fraction, Fraction, Fraction, Fraction, Fraction]
 @cache
 def decide_separatrix() -> Outcome:
     """The theorem on the limit map, each line with the proof that its reason describes."""
-    return judged(write_down(separatrix()))
+    return decide("separatrix", "separatrix")
 
 
 class PointParameters(Record):

@@ -13,9 +13,9 @@ from verify.language.argument import Chapter
 from verify.language.statement import REFUTED, Constant, Statement
 from verify.language.terms import Term, as_term
 from verify.paper.commands.elsewhere import premise
+from verify.paper.commands.pages import decide
 from verify.paper.step import misprints
-from verify.paper.step.step import step
-from verify.prover.arguments import Writing, write_down
+from verify.prover.arguments import Writing
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.rules import Interval, Witness
@@ -25,7 +25,7 @@ from verify.wire.judge import judged
 @cache
 def decide_step() -> Outcome:
     """The step, each line with the proof that its reason describes."""
-    return judged(write_down(step()))
+    return decide("step", "step")
 
 
 #: Enough for the sides of the conditions at the states, some of which differ by 10^-25.

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
+from verify.language.argument import Chapter
 from verify.language.record import Record
 from verify.language.statement import Context, Obligation, Statement
 from verify.prover.hint import Hint
@@ -23,12 +24,13 @@ NO_FORMS: Mapping[str, Iterator[Form]] = MappingProxyType({})
 
 
 class Page(Record):
-    """A statement, hints by the names of its rows, and other forms of its rows.
+    """A statement, hints by the names of its rows, other forms of its rows, and its argument.
 
     A form is a row that says the same, with its context, which has the same name. Each can
-    be looked at once.
+    be looked at once. The chapters of an argument have every line with what it follows from.
     """
 
     statement: Statement
     hints: Mapping[str, Hint]
     forms: Mapping[str, Iterator[Form]] = NO_FORMS
+    chapters: tuple[Chapter, ...] = ()

@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from itertools import accumulate, starmap
+from types import MappingProxyType
 
 from verify.language.fold import fold
 from verify.language.record import Record
@@ -25,6 +26,7 @@ from verify.language.terms import (
     as_term,
     exp,
     log,
+    names_of,
     nth_root,
     pi,
     sqrt,
@@ -34,6 +36,7 @@ from verify.language.terms import (
 from verify.wire.inputs import InputError, nearest, rational, shown
 from verify.wire.text import letters
 from verify.wire.text.letters import GREEK, NAMES, name_of
+from verify.wire.text.vectors import Combination, Gram, basis, combination, dot
 
 _LETTERS = f"A-Za-z{''.join(NAMES)}"
 _NAME = rf"(?:[A-Za-z][A-Za-z0-9_]*:)*[{_LETTERS}][{_LETTERS}0-9_]*(?:\.[{_LETTERS}0-9_]+)*[₀-₉]*"
@@ -70,7 +73,8 @@ SUGAR: Mapping[str, Callable[[Term], Term]] = {**letters.FUNCTIONS, "ln": log}
 SUMS: Mapping[str, Callable[[Term, Term], Term]] = {"sum": Term.__add__, "prod": Term.__mul__}
 MAX_TERMS = 1000
 #: All that is written like a function.
-CALLED = (*FUNCTIONS, *MANY, "root", *SUMS, *SUGAR)
+DOT = "dot"
+CALLED = (*FUNCTIONS, *MANY, "root", *SUMS, *SUGAR, DOT)
 
 
 class Formula(Record):
@@ -123,17 +127,35 @@ class Names:
     Args:
         known: for each name that may be written the name that is meant.
         hidden: for names that are not usable here, why not.
+        short: the terms for which abbreviations stand.
+        vectors: the texts of vectors, and none for those whose products are known.
+        gram: these inner products.
     """
 
-    def __init__(self, known: Mapping[str, str], hidden: Mapping[str, str] | None = None) -> None:
-        self.known, self.hidden = known, hidden or {}
+    def __init__(
+        self,
+        known: Mapping[str, str],
+        hidden: Mapping[str, str] = MappingProxyType({}),
+        short: Mapping[str, Term] = MappingProxyType({}),
+        vectors: Mapping[str, str | None] = MappingProxyType({}),
+        gram: Gram = MappingProxyType({}),
+    ) -> None:
+        self.known, self.hidden, self.short = known, hidden, short
+        self.vectors, self.gram = vectors, gram
 
-    def term(self, where: str, name: str) -> Term:
+    def of_vectors(self) -> Names:
+        """The same, and the names of vectors."""
+        known = {name: name for name in self.vectors} | dict(self.known)
+        return Names(known, self.hidden, self.short, self.vectors, self.gram)
+
+    def term(self, where: object, name: str) -> Term:
         """The symbol that a name stands for.
 
         Raises:
             InputError: for a name that stands for nothing, with a name that is like it.
         """
+        if name in self.short:
+            return self.short[name]
         if name in self.known:
             return symbol(self.known[name])
         if name in self.hidden:
@@ -144,10 +166,10 @@ class Names:
         short = ", ".join(list(self.known)[:8])
         what = f"what is defined is {short}" if short else "nothing is defined here"
         otherwise = f"define it before, under constants, or as a variable; {what}"
-        return nearest(name, [*self.known, *NUMBERS, *CALLED], otherwise)
+        return nearest(name, [*self.known, *self.short, *NUMBERS, *CALLED], otherwise)
 
 
-def read_term(where: str, text: str, names: Names) -> Term:
+def read_term(where: object, text: str, names: Names) -> Term:
     """The term that a text stands for.
 
     Raises:
@@ -159,7 +181,7 @@ def read_term(where: str, text: str, names: Names) -> Term:
     return found.terms[0]
 
 
-def read_claims(where: str, text: str, names: Names) -> tuple[Claim, ...]:
+def read_claims(where: object, text: str, names: Names) -> tuple[Claim, ...]:
     """The claims in a text, of which a chain ``0 <= x <= b`` has several, and ``a and b`` too.
 
     The claims in ``a or b`` are one, which `any_of` makes of them.
@@ -170,7 +192,7 @@ def read_claims(where: str, text: str, names: Names) -> tuple[Claim, ...]:
     return _joined(where, text, names, Formula.claims)
 
 
-def read_givens(where: str, text: str, names: Names) -> tuple[Claim, ...]:
+def read_givens(where: object, text: str, names: Names) -> tuple[Claim, ...]:
     """The same of what is given, where ``|t| <= b`` is the two bounds of t.
 
     Raises:
@@ -179,7 +201,7 @@ def read_givens(where: str, text: str, names: Names) -> tuple[Claim, ...]:
     return _joined(where, text, names, Formula.bounds)
 
 
-def _read(where: str, text: str, names: Names) -> tuple[list[Formula], str]:
+def _read(where: object, text: str, names: Names) -> tuple[list[Formula], str]:
     """The formulas in a text, and the word between them."""
     try:
         return _Reader(where, text, names).formulas()
@@ -188,7 +210,7 @@ def _read(where: str, text: str, names: Names) -> tuple[list[Formula], str]:
 
 
 def _joined(
-    where: str, text: str, names: Names, claims: Callable[[Formula], tuple[Claim, ...]]
+    where: object, text: str, names: Names, claims: Callable[[Formula], tuple[Claim, ...]]
 ) -> tuple[Claim, ...]:
     formulas, word = _read(where, text, names)
     if any(not formula.relations for formula in formulas):
@@ -220,7 +242,7 @@ MAX_DEPTH = 100
 class _Reader:
     """Reads one text from left to right; each method reads what its name says and goes on."""
 
-    def __init__(self, where: str, text: str, names: Names) -> None:
+    def __init__(self, where: object, text: str, names: Names) -> None:
         self.where, self.text, self.names = where, text, names
         self.tokens = self._tokens()
         signs = [word for kind, word in self.tokens if kind == "sign"]
@@ -418,12 +440,13 @@ class _Reader:
         raise self.error(f"{self.next_word()}, where a number or a name is missing{instead}")
 
     def _named(self, word: str) -> Term:
-        if self.sign == "(" and (word in CALLED or word not in self.names.known):
+        named = word in self.names.known or word in self.names.short
+        if self.sign == "(" and (word in CALLED or not named):
             return self._function(word)
         if word in self.indices:
             return self.indices[word]
-        name = word if word in self.names.known else name_of(word)
-        if name not in self.names.known and name in NUMBERS:
+        name = word if named else name_of(word)
+        if name not in self.names.known and name not in self.names.short and name in NUMBERS:
             return NUMBERS[name]
         return self.names.term(self.where, name)
 
@@ -433,6 +456,8 @@ class _Reader:
             raise self.error(f"{shown(word)} is no function; {self._instead_of(word)}")
         if word in SUMS:
             return self._summed(word)
+        if word == DOT:
+            return self._dot()
         arguments = [self.sum()]
         while self.take(","):
             arguments.append(self.sum())
@@ -443,6 +468,40 @@ class _Reader:
             wanted = "at least two terms" if word in MANY else "one term"
             raise self.error(f"{word} is of {wanted}, and {len(arguments)} stand there")
         return SUGAR[word](*arguments) if word in SUGAR else Term(word, *arguments)
+
+    def _dot(self) -> Term:
+        """The rest of ``dot(x, z)``."""
+        if not self.names.gram:
+            raise self.error("no inner products are known here; write gram in its context")
+        x = self._vector()
+        if not self.take(","):
+            raise self.error("an inner product is of two vectors; write dot(x, z)")
+        z = self._vector()
+        self.expect(")")
+        return dot(self.names.gram, x, z)
+
+    def _vector(self) -> Combination:
+        """A combination of vectors, up to the comma or the parenthesis after it."""
+        inside = _Reader(self.where, "", self.names.of_vectors())
+        inside.tokens, inside.at = self.tokens, self.at
+        term = inside.sum()
+        self.at = inside.at
+        return self._combined(term)
+
+    def _combined(self, term: Term) -> Combination:
+        known = {}
+        for name in self.names.vectors:
+            text = self.names.vectors[name]
+            if name in set(names_of(term)):
+                known[name] = (
+                    basis(name)
+                    if text is None
+                    else self._combined(_Reader(self.where, text, self.names.of_vectors()).sum())
+                )
+        try:
+            return combination(term, known)
+        except ValueError as error:
+            raise self.error(str(error)) from error
 
     def _instead_of(self, word: str) -> str:
         """What to write for a name before a parenthesis that is no function's."""

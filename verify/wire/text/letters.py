@@ -57,3 +57,22 @@ def name_of(text: str) -> str:
     if index != text and not re.search(r"_[0-9]*$", index):
         index = re.sub(r"([0-9]+)$", r"_\1", index)
     return "".join(NAMES.get(sign, sign) for sign in index)
+
+
+#: How signs of a letter are written in LaTeX, beside Greek.
+_TEX: Mapping[str, str] = {
+    "cos ": r"\cos ",
+    "√r": r"\sqrt r",
+    "·": r"\cdot ",
+    "²": "^2",
+    **{letter: f"\\{name}" for name, letter in GREEK.items()},
+    "τ": r"\tau ",
+    "₁": "_1",
+}
+
+
+def tex_of(letter: str) -> str:
+    """A letter that people read, in LaTeX."""
+    for sign, command in _TEX.items():
+        letter = letter.replace(sign, command)
+    return letter

@@ -44,18 +44,34 @@ from verify.prover.hint import Hint
 from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.text import Page
 from verify.wire.text.infix import Names, read_claims, read_givens, read_term
-from verify.wire.text.letters import letter_of, name_of
+from verify.wire.text.letters import letter_of, name_of, tex_of
 from verify.wire.text.points import a_point, contradiction, estimate
+from verify.wire.text.read_lines import Lines
 from verify.wire.text.roots import isolated
+from verify.wire.text.vectors import Gram, gram_of
 from verify.wire.toml import TooLongError, toml_of
 
 #: What may stand in a page, and in its tables.
-TOP = ("title", "theorem", "parameters", "cites", "assumptions", "constants", "contexts", "rows")
+TOP = (
+    *("title", "theorem", "group", "parameters", "cites", "assumptions", "let", "constants"),
+    *("contexts", "rows", "chapters"),
+)
 CONSTANT = ("value", "letter", "tex", "label")
 VARIABLE = ("letter", "tex")
 CONTEXT = (
-    *("in", "says", "variables", "given", "carried", "standing", "point", "constants", "rows"),
-    *("root", "between"),
+    *(
+        "in",
+        "says",
+        "variables",
+        "let",
+        "given",
+        "carried",
+        "standing",
+        "point",
+        "constants",
+        "rows",
+    ),
+    *("root", "between", "states", "by", "gram", "vectors", "granted_by", "label"),
 )
 GIVEN = ("claim", "kind", "assumption")
 ROW = (
@@ -95,7 +111,17 @@ def read_page(path: str, content: bytes, cited: Sequence[Cite] = ()) -> Page:
         why = " ".join(str(error).split())
         instead = next((text for part, text in NO_TOML.items() if part in why), IN_QUOTES)
         raise InputError(f"{path}: is no TOML file ({why}); {instead}") from error
-    return _Reader(Places(path, text), cited).page(table)
+    return Reader(Places(path, text), cited).page(table)
+
+
+class Where:
+    """A place in a file, whose line is looked for only if somebody asks."""
+
+    def __init__(self, places: Places, keys: tuple[str, ...], value: object) -> None:
+        self.places, self.keys, self.value = places, keys, value
+
+    def __str__(self) -> str:
+        return self.places.told(self.keys, self.value)
 
 
 _KEY_IN_LINE = re.compile(r'\s*+([A-Za-z0-9_."\'-]++(?:\s*+\.\s*+[A-Za-z0-9_"-]++)*+)\s*+=')
@@ -111,8 +137,12 @@ class Places:
         """The error that something is wrong with a key, or with a value under it."""
         return InputError(f"{self.where(keys, value)}: {what}")
 
-    def where(self, keys: Sequence[str], value: object = None) -> str:
-        """The file, the line and the key."""
+    def where(self, keys: Sequence[str], value: object = None) -> Where:
+        """The file, the line and the key, which are looked for where they are told."""
+        return Where(self, tuple(keys), value)
+
+    def told(self, keys: Sequence[str], value: object = None) -> str:
+        """The same, in words."""
         line = self._line(keys, value)
         place = f", line {line}" if line else ""
         return f"{self.path}{place}" + (f": {'.'.join(keys)}" if keys else "")
@@ -149,22 +179,33 @@ def _keys(text: str) -> list[str]:
     return [key.strip("\"' ") for key in re.findall(r'"[^"]*"|\'[^\']*\'|[^.]+', text)]
 
 
-class _Scope:
+class Scope:
     """The names that formulas may use: each as it is written, and what it means where."""
 
     def __init__(self) -> None:
         self.homes: dict[str, str | None] = {}
         self.parents: dict[str, str | None] = {}
         self.written: dict[str | None, dict[str, str]] = {None: {}}
+        self.short: dict[str | None, dict[str, Term]] = {None: {}}
+        self.vectors: dict[str | None, dict[str, str | None]] = {}
+        self.grams: dict[str | None, Gram] = {}
+        self._inside: dict[str | None, Names] = {}
 
     def add(self, written: str, name: str, home: str | None) -> None:
         """A name that may be written in a context, and inside of it."""
+        self._inside.clear()
         self.homes[name] = home
         self.written[home][written] = name
 
+    def abbreviate(self, written: str, term: Term, home: str | None) -> None:
+        """A name that stands for a term in a context, and inside of it."""
+        self._inside.clear()
+        self.short[home][written] = term
+
     def open(self, context: str, parent: str | None) -> None:
         """A context, inside of another."""
-        self.parents[context], self.written[context] = parent, {}
+        self._inside.clear()
+        self.parents[context], self.written[context], self.short[context] = parent, {}, {}
 
     def chain(self, context: str | None) -> Iterator[str | None]:
         """A context and those around it."""
@@ -175,16 +216,41 @@ class _Scope:
 
     def inside(self, context: str | None) -> Names:
         """What is known in a context; of names of other contexts is said that they are those."""
+        if context not in self._inside:
+            self._inside[context] = self._known_inside(context)
+        return self._inside[context]
+
+    def _known_inside(self, context: str | None) -> Names:
         known: dict[str, str] = {}
+        short: dict[str, Term] = {}
         for place in self.chain(context):
-            known = self.written[place] | known
+            short = {n: t for n, t in self.short[place].items() if n not in known} | short
+            known = {n: w for n, w in self.written[place].items() if n not in short} | known
+        known |= {name: name for name in known.values()}
+        known = self._without_context(context) | known
         hidden = {
             written: f"is a name of the context {home}; write in = {home!r}".replace("'", '"')
             for home, names in self.written.items()
             for written in names
             if written not in known
         }
-        return Names(known | {name: name for name in known.values()}, hidden)
+        place = next((home for home in self.chain(context) if home in self.grams), None)
+        return Names(known, hidden, short, self.vectors.get(place, {}), self.grams.get(place, {}))
+
+    def span(self, home: str, gram: Gram, vectors: Mapping[str, str]) -> None:
+        """Vectors of a context, some by their inner products, others as combinations of these."""
+        self._inside.clear()
+        self.grams[home] = gram
+        self.vectors[home] = {name: None for name, _ in gram} | dict(vectors)
+
+    def _without_context(self, context: str | None) -> dict[str, str]:
+        """In a context ``ball`` one may write ``x`` for ``ball.x``, where nothing else is ``x``."""
+        found: dict[str, str] = {}
+        for place in self.chain(context):
+            before = f"{place}."
+            own = self.written[place].values() if place else ()
+            found = {n.removeprefix(before): n for n in own if n.startswith(before)} | found
+        return found
 
     def anywhere(self) -> Names:
         """What is known if the context is to be found by the names."""
@@ -197,7 +263,8 @@ class _Scope:
                     both = f"{self.homes[other]} and of {home}"
                     twice[written] = f"is a name of the context {both}; say in which by in = "
         known = {name: name for name in self.homes} | known
-        return Names({key: name for key, name in known.items() if key not in twice}, twice)
+        one = {key: name for key, name in known.items() if key not in twice}
+        return Names(one, twice, self.short[None])
 
     def home(self, names: Sequence[str]) -> str | None:
         """The innermost context of names.
@@ -215,17 +282,20 @@ class _Scope:
         raise ValueError(f"its names are of the contexts {' and '.join(places)}")
 
 
-class _Reader:
+class Reader:
     """Reads one page."""
 
     def __init__(self, places: Places, cited: Sequence[Cite]) -> None:
-        self.places, self.scope = places, _Scope()
+        self.places, self.scope = places, Scope()
         self.cited = cited
         self.taken: dict[str, str] = {"goal": "is a word of certificates"}
         self.contexts: dict[str, Context] = {}
         self.assumptions: dict[str, Assumption] = {}
         self.rows: dict[str, Obligation] = {}
         self.hints: dict[str, Hint] = {}
+        self.states: dict[str, dict[str, Mapping[str, Term]]] = {}
+        self.premises: dict[str, tuple[str, ...]] = {}
+        self.granted_by: str | None = None
         self.contexts_cited: dict[str, tuple[tuple[Variable, ...], str | None]] = {}
         self.floats: dict[str, float] = {}  # about what names stand for, to guess points
 
@@ -282,8 +352,14 @@ class _Reader:
         return read_givens(self.places.where(keys, text), text, self.scope.inside(home))
 
     def values(self, keys: Sequence[str], value: object, names: Names) -> dict[str, Term]:
-        """The table of terms under some keys."""
-        found = self.table(keys, value)
+        """The terms under some keys: a table, or a text such as ``x = 1/2, y = a + b``."""
+        found = value
+        if isinstance(value, str):
+            parts = [part.partition("=") for part in _at_commas(value)]
+            found = {name.strip(): text for name, _, text in parts}
+            if len(found) < len(parts) or not all(text.strip() for _, _, text in parts):
+                raise self.places.error(keys, f'{_told(value)} is unclear; write "x = 1/2, y = 3"')
+        found = self.table(keys, found)
         return {name: self.term([*keys, name], term, names) for name, term in found.items()}
 
     # --- the page -------------------------------------------------------------------------------
@@ -295,13 +371,16 @@ class _Reader:
         if not title:
             raise self.places.error([], 'the title is missing; begin with title = "..."')
         theorem = self.text(["theorem"], table.get("theorem", title), "a name")
+        self.group = self.text(["group"], table.get("group", ""), "a heading")
         cites = tuple(self._cites(table.get("cites", {})))
         self._assumptions(table.get("assumptions", {}))
         parameters = self._parameters(table.get("parameters", {}))
+        self.let(["let"], table.get("let", {}), None)
         constants = self._constants(["constants"], table.get("constants", {}), None)
         for name, value in self.table(["contexts"], table.get("contexts", {})).items():
             self._context(name, value)
         self._rows(table)
+        chapters = Lines(self).chapters(table.get("chapters", []))
         if not any(row.role == NEEDED for row in self.rows.values()):
             raise self.places.error(
                 ["rows"], 'there is no question; write below [rows] a line such as big = "x > 0"'
@@ -317,7 +396,7 @@ class _Reader:
             cites,
         )
         self._known_rows()
-        return Page(statement, self.hints)
+        return Page(statement, self.hints, chapters=chapters)
 
     def _cites(self, value: object) -> Iterator[Cite]:
         for name, entry in self.table(["cites"], value).items():
@@ -389,10 +468,12 @@ class _Reader:
             self.floats[name] = estimate(found[name], self.floats)
         return found
 
-    def _constants(self, keys: Sequence[str], value: object, home: str | None) -> list[Constant]:
+    def _constants(
+        self, keys: Sequence[str], value: object, home: str | None, default: str = ""
+    ) -> list[Constant]:
         found = []
         for key, entry in self.table(keys, value).items():
-            place, written = [*keys, key], name_of(key)
+            place, written = [*keys, key], self._full(name_of(key), home)
             item = entry if isinstance(entry, dict) else {"value": entry}
             self.table(place, item, CONSTANT)
             if "value" not in item:
@@ -401,11 +482,15 @@ class _Reader:
             term = self.term(where, item["value"], self.scope.inside(home))
             name = self._new(place, written, home)
             letter, tex = self._letters(place, item, written)
-            label = self.text([*place, "label"], item.get("label", ""), "a label")
+            label = self.text([*place, "label"], item.get("label", default), "a label")
             found.append(Constant(name, letter, tex, label, term))
             self.scope.add(written, name, home)
             self.floats[name] = estimate(term, self.floats)
         return found
+
+    def _full(self, name: str, home: str | None) -> str:
+        """A name; if it begins with a point, with the name of its context before it."""
+        return f"{home}{name}" if home and name.startswith(".") else name
 
     def _new(self, keys: Sequence[str], written: str, home: str | None) -> str:
         """The name in the statement; one that another context has gets its context before it."""
@@ -420,10 +505,9 @@ class _Reader:
         self, keys: Sequence[str], item: Mapping[str, Any], written: str
     ) -> tuple[str, str]:
         plain, tex = letter_of(written)
-        return (
-            self.text([*keys, "letter"], item.get("letter", plain), "a letter"),
-            self.text([*keys, "tex"], item.get("tex", tex), "LaTeX"),
-        )
+        letter = self.text([*keys, "letter"], item.get("letter", plain), "a letter")
+        default = tex if letter == plain else tex_of(letter)
+        return letter, self.text([*keys, "tex"], item.get("tex", default), "LaTeX")
 
     # --- contexts -------------------------------------------------------------------------------
 
@@ -434,9 +518,12 @@ class _Reader:
         parent = table.get("in")
         if parent is not None and parent not in self.contexts:
             where = [*keys, "in"]
-            raise self.places.error(where, self._no_context(parent, "an earlier one"))
+            raise self.places.error(where, self.no_context(parent, "an earlier one"))
         self.scope.open(name, parent)
         names = self._variables(keys, table, name)
+        self.let([*keys, "let"], table.get("let", {}), name)
+        if "gram" in table:
+            self._vectors(keys, table, name)
         if "root" in table:
             self._root(keys, name, table, names)
             return
@@ -458,10 +545,49 @@ class _Reader:
                     f"point = {{ {sides} }}; or mend the givens, if they contradict each other",
                 )
         self.floats |= {v: estimate(term, self.floats) for v, term in at.items()}
-        constants = self._constants([*keys, "constants"], table.get("constants", {}), name)
+        label = self.text([*keys, "label"], table.get("label", ""), "a label")
+        own = table.get("constants", {})
+        constants = self._constants([*keys, "constants"], own, name, label)
         says = self.text([*keys, "says"], table.get("says", ""), "a sentence")
         variables = tuple(names.values())
         self.contexts[name] = Context(name, variables, givens, at, parent, says, tuple(constants))
+        self._states(keys, table, self.contexts[name])
+        if "by" in table:
+            self.premises[name] = tuple(self.text([*keys, "by"], table["by"], "names").split())
+
+    def _states(self, keys: Sequence[str], table: Mapping[str, Any], context: Context) -> None:
+        """The states of a context: values of all its variables, under a name."""
+        found = {"point": context.point}
+        for state, values in self.table([*keys, "states"], table.get("states", {})).items():
+            place = [*keys, "states", state]
+            inside = self.scope.inside(context.name)
+            at = {inside.known.get(n, n): t for n, t in self.values(place, values, inside).items()}
+            self.complete(place, at, [variable.name for variable in context.variables])
+            found[state] = at
+        self.states[context.name] = found
+
+    def _vectors(self, keys: Sequence[str], table: Mapping[str, Any], home: str) -> None:
+        """The vectors of a context, of which the inner products of some are known."""
+        place, inside = [*keys, "gram"], self.scope.inside(home)
+        rows = {
+            name: [
+                self.term([*place, name], text, inside)
+                for text in _at_commas(self.text(place, row))
+            ]
+            for name, row in self.table(place, table["gram"]).items()
+        }
+        vectors = self.table([*keys, "vectors"], table.get("vectors", {}))
+        texts = {name: self.text([*keys, "vectors", name], text) for name, text in vectors.items()}
+        try:
+            self.scope.span(home, gram_of(rows), texts)
+        except ValueError as error:
+            raise self.places.error(place, str(error)) from error
+
+    def let(self, keys: Sequence[str], value: object, home: str | None) -> None:
+        """Abbreviations, each of which is the term for which it stands."""
+        for short, text in self.table(keys, value).items():
+            place = [*keys, short]
+            self.scope.abbreviate(short, self.term(place, text, self.scope.inside(home)), home)
 
     def _root(
         self, keys: Sequence[str], name: str, table: Mapping[str, Any], names: dict[str, Variable]
@@ -500,7 +626,8 @@ class _Reader:
             self.rows[self.name(keys, row.name)] = row
         self.floats[variable.name] = estimate(found.context.point[variable.name], {})
 
-    def _no_context(self, name: object, wanted: str = "one of the page") -> str:
+    def no_context(self, name: object, wanted: str = "one of the page") -> str:
+        """What is wrong with the name of a context that there is not, and what to write."""
         known = ", ".join(self.contexts) or "none"
         instead = nearest(str(name), self.contexts, f"write {wanted}; there is {known}")
         return f"{_told(name)} is no context; {instead}"
@@ -512,17 +639,20 @@ class _Reader:
         entry = table.get("variables", [*table.get("point", ())])
         place = [*keys, "variables"]
         if isinstance(entry, str):
-            entry = entry.replace(",", " ").split()
+            parts = entry.split(",") if ":" in entry else entry.replace(",", " ").split()
+            pairs = [[part.strip() for part in text.split(":", 1)] for text in parts]
+            entry = {name: letter[0] if letter else {} for name, *letter in pairs}
         if "variables" not in table and not entry:
             raise self.places.error(keys, 'it has no variables; write variables = ["x"]')
         names = () if isinstance(entry, dict) else self.texts(place, entry)
         items = entry if isinstance(entry, dict) else {name: {} for name in names}
         found = {}
         for key, item in items.items():
-            written = name_of(key)
-            self.table([*place, key], item, VARIABLE)
+            written = self._full(name_of(key), home)
+            self.table([*place, key], _lettered(item), VARIABLE)
             name = self._new([*place, written], written, home)
-            found[written] = Variable(name, *self._letters([*place, written], item, written))
+            letters = self._letters([*place, written], _lettered(item), written)
+            found[written] = Variable(name, *letters)
             self.scope.add(written, name, home)
         return found
 
@@ -531,10 +661,12 @@ class _Reader:
     ) -> dict[str, Term]:
         place = [*keys, "point"]
         found = self.values(place, value, self.scope.inside(parent))
-        self._complete(place, found, list(names))
-        return {names[name].name: term for name, term in found.items()}
+        known = self.scope.inside(keys[-1]).known
+        at = {known.get(name, name): term for name, term in found.items()}
+        self.complete(place, at, [variable.name for variable in names.values()])
+        return at
 
-    def _complete(self, keys: Sequence[str], found: Mapping[str, Any], names: list[str]) -> None:
+    def complete(self, keys: Sequence[str], found: Mapping[str, Any], names: list[str]) -> None:
         """Afterwards there is a value for each variable, and for nothing else."""
         for name in found.keys() ^ {*names}:
             what = "has no value" if name in names else "is no variable of the context"
@@ -544,6 +676,7 @@ class _Reader:
 
     def _givens(self, keys: Sequence[str], table: Mapping[str, Any], home: str) -> Iterator[Given]:
         count = 0
+        self.granted_by = table.get("granted_by")
         for key, kind in (("given", "plain"), ("carried", "carried"), ("standing", "standing")):
             entry = table.get(key, [])
             place = [*keys, key]
@@ -559,7 +692,8 @@ class _Reader:
                 for claim in self.givens(place, item, home):
                     count += 1
                     name = self.name([*place, f"{home}.{count}"], f"{home}.{count}")
-                    yield self._of_kind(place, Given(name, claim, kind))
+                    granted = self.granted_by if kind == "standing" else None
+                    yield self._of_kind(place, Given(name, claim, kind, granted))
 
     def _given(
         self, keys: Sequence[str], name: str, item: object, kind: str, home: str
@@ -569,7 +703,7 @@ class _Reader:
         where = [*keys, "claim"] if isinstance(item, dict) else keys
         claims = self.givens(where, entry.get("claim", ""), home)
         kind = self._one_of([*keys, "kind"], entry.get("kind", kind), _KINDS)
-        assumption = entry.get("assumption")
+        assumption = entry.get("assumption", self.granted_by if kind == "standing" else None)
         if assumption is not None:
             assumption = self.text([*keys, "assumption"], assumption, "a name")
         for new, claim in zip(_numbered(name, len(claims)), claims, strict=True):
@@ -616,7 +750,7 @@ class _Reader:
             raise self.places.error(keys, f'it {what}; write one claim = "..."')
         home = table.get("in")
         if home is not None and home not in self.contexts:
-            raise self.places.error([*keys, "in"], self._no_context(home))
+            raise self.places.error([*keys, "in"], self.no_context(home))
         where = [*keys, "claim"] if isinstance(value, dict) else keys
         claims: Sequence[Claim | Applies | Always]
         if kinds == ["claim"]:
@@ -624,7 +758,7 @@ class _Reader:
         else:
             other, home = self._of_context(keys, table, home)
             claims = [other]
-        fields = self._fields(keys, table)
+        fields = self.fields(keys, table)
         for new, claim in zip(_numbered(name, len(claims)), claims, strict=True):
             self.name(keys, new)
             self.rows[new] = Obligation(name=new, claim=claim, context=home, **fields)
@@ -670,7 +804,7 @@ class _Reader:
         elif context in self.contexts_cited:
             variables, parent = self.contexts_cited[context]
         else:
-            raise self.places.error([*keys, kind], self._no_context(context))
+            raise self.places.error([*keys, kind], self.no_context(context))
         if kind == "always":
             home = home or parent
             start = self._at(keys, "start", table, variables, self.scope.inside(home))
@@ -692,10 +826,11 @@ class _Reader:
         full = {v.name.rpartition(":")[2]: v.name for v in variables}
         short = {name.rpartition(".")[2]: name for name in full}
         named = {name if name in full else short.get(name, name): t for name, t in found.items()}
-        self._complete([*keys, key], named, list(full))
+        self.complete([*keys, key], named, list(full))
         return named
 
-    def _fields(self, keys: Sequence[str], table: Mapping[str, Any]) -> dict[str, Any]:
+    def fields(self, keys: Sequence[str], table: Mapping[str, Any]) -> dict[str, Any]:
+        """What is said of a row beside its claim."""
         uses = self.texts([*keys, "uses"], table.get("uses", []))
         for name in uses:
             if name not in self.assumptions:
@@ -708,8 +843,8 @@ class _Reader:
             self.text([*keys, "severity"], severity, "a text")
         role = self._one_of([*keys, "role"], table.get("role", NEEDED), (NEEDED, PRINTED))
         found = {
-            key: self.text([*keys, key], table.get(key, ""), "a text")
-            for key in ("group", "label", "says")
+            key: self.text([*keys, key], table.get(key, default), "a text")
+            for key, default in (("group", self.group), ("label", ""), ("says", ""))
         }
         corrected = table.get("corrected_by")
         return found | {
@@ -738,6 +873,24 @@ _KINDS = ("plain", "carried", "standing")
 def _numbered(name: str, count: int) -> list[str]:
     """The names of claims that one text has: its name, or with a number behind it."""
     return [name] if count == 1 else [f"{name}.{i}" for i in range(1, count + 1)]
+
+
+def _lettered(item: object) -> Any:
+    """What is said of a variable: its letter, its letter and that in LaTeX, or a table of them."""
+    if isinstance(item, str):
+        return {"letter": item}
+    return dict(zip(VARIABLE, item, strict=False)) if isinstance(item, list) else item
+
+
+def _at_commas(text: str) -> list[str]:
+    """The parts of a text between commas that stand outside of parentheses."""
+    parts, depth, start = [], 0, 0
+    for at, sign in enumerate(text):
+        depth += (sign == "(") - (sign == ")")
+        if sign == "," and depth == 0:
+            parts.append(text[start:at])
+            start = at + 1
+    return [*parts, text[start:]]
 
 
 def _told(value: object) -> str:

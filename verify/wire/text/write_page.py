@@ -22,7 +22,7 @@ from verify.language.statement import (
 from verify.language.terms import Claim, Term, names_of, signs_in
 from verify.wire.inputs import InputError
 from verify.wire.text.infix import claim_text, term_text
-from verify.wire.text.letters import letter_of
+from verify.wire.text.letters import letter_of, tex_of
 from verify.wire.write import statement_terms
 
 #: Longer lists and tables get a line for each entry.
@@ -116,7 +116,8 @@ def _assumption(assumption: Assumption) -> Any:
 def _letters(item: Constant | Variable) -> dict[str, str]:
     plain, tex = letter_of(item.name)
     found = {} if item.letter == plain else {"letter": item.letter}
-    return found if item.tex == tex else found | {"tex": item.tex}
+    default = tex_of(item.letter) if found else tex
+    return found if item.tex == default else found | {"tex": item.tex}
 
 
 def _constant(constant: Constant) -> Any:

@@ -1,0 +1,370 @@
+"""The chapters of a page: lines in one context, each a claim and what it follows from.
+
+    [[chapters]]
+    in = "state"
+    label = "EQUATSS4.1SysteDynamColSp"
+
+    [chapters.rows]
+    gained-positive = { lemma = "0 < gained", by = "tau-positive B-positive", using = "gained" }
+    next-Cnd4 = { claim = "Cnd4 at next", by = "gained-positive law-angle", says = "..." }
+
+A claim is a row of the statement, a lemma is not. ``Cnd4 at next`` is the claim of that name with
+the values of that state of its context in place of the variables.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import groupby
+from typing import TYPE_CHECKING, Any
+
+from verify.language.argument import (
+    ByApplying,
+    ByEntry,
+    ByInduction,
+    ByInstance,
+    ByInterval,
+    ByLeast,
+    ByNames,
+    ByRoot,
+    BySum,
+    ByWitness,
+    Chapter,
+    Defined,
+    Line,
+    Opened,
+    Reason,
+    ToBeFound,
+)
+from verify.language.statement import Always, Applies, Obligation
+from verify.language.terms import Claim, Term, names_of, substitute_claim
+from verify.wire.inputs import nearest, shown
+from verify.wire.text.by import Facts, read_by
+from verify.wire.text.infix import read_term
+
+if TYPE_CHECKING:
+    from verify.wire.text.read_page import Reader
+
+CHAPTER = ("in", "group", "label", "says", "uses", "let", "at", "by", "rows")
+LINE = (
+    *("lemma", "claim", "applies", "at", "always", "start", "next", "instance"),
+    *("says", "label", "uses", "role", "severity", "corrected_by"),
+    *("by", "using", "plus", "rule", "of", "side", "false_at"),
+)
+#: What a line is.
+KINDS = ("lemma", "claim", "applies", "always", "instance")
+#: Rules that are named, since no facts are added.
+RULES = ("entry", "root", "interval")
+AT = re.compile(r"\s*([A-Za-z][A-Za-z0-9_.:-]*)\s+at\s+([A-Za-z][A-Za-z0-9_-]*)\s*")
+
+Keys = Sequence[str]
+
+
+class Lines:
+    """Reads the chapters of a page, whose contexts have been read."""
+
+    def __init__(self, page: Reader) -> None:
+        self.page, self.places = page, page.places
+        self.claims: dict[str, Claim] = {}
+        self.homes: dict[str, str | None] = {}
+        self.waiting = list(page.contexts.values())
+        self.conditions = {g.name: (g.claim, c.name) for c in self.waiting for g in c.givens}
+        self.undefined: dict[str, tuple[str | None, Term]] = {}
+        for context in self.waiting:
+            for constant in context.constants:
+                self.undefined[constant.name] = (context.name, constant.term)
+                self.homes[constant.name] = context.name
+
+    def chapters(self, value: object) -> tuple[Chapter, ...]:
+        """All chapters, with the places where contexts open and constants are defined."""
+        if not isinstance(value, list):
+            raise self.places.error(["chapters"], "is no list of tables; write [[chapters]]")
+        last = {self._home(entry): number for number, entry in enumerate(value)}
+        found: list[Chapter] = []
+        for number, entry in enumerate(value):
+            found += self._chapter(entry)
+            home = self._home(entry)
+            if last[home] == number:
+                found.append(Chapter(home, tuple(self._left(home))))
+        if value:
+            found += self._opened(len(self.waiting))
+            found += [Chapter(home, tuple(self._left(home))) for home in self.page.contexts]
+        return tuple(_joined(found))
+
+    def _home(self, entry: object) -> str | None:
+        """The context of a chapter."""
+        home: str | None = self.page.table(["chapters"], entry, CHAPTER).get("in")
+        if home is not None and home not in self.page.contexts:
+            raise self.places.error(["chapters", "in"], self.page.no_context(home))
+        return home
+
+    def _left(self, home: str | None) -> Iterator[Defined]:
+        """The constants of a context that none of its lines uses."""
+        for name in [name for name, (context, _) in self.undefined.items() if context == home]:
+            yield from self._define(name)
+
+    def _chapter(self, entry: object) -> Iterator[Chapter]:
+        table = self.page.table(["chapters"], entry, CHAPTER)
+        home = self._home(entry)
+        names = [context.name for context in self.waiting]
+        yield from self._opened(names.index(home) + 1 if home in names else 0)
+        self.page.let(["chapters", "let"], table.get("let", {}), home)
+        rows = self.page.table(["chapters", "rows"], table.get("rows", {}))
+        for name, row in rows.items():
+            keys = ["chapters", "rows", name]
+            line = self._line(keys, name, row, home, table)
+            for constant in self._defined(line):
+                yield Chapter(self.homes[constant.name], (constant,))
+            yield Chapter(home, (line,))
+
+    def _opened(self, count: int) -> Iterator[Chapter]:
+        """The next contexts of the page, each opened where its parent is."""
+        for context in self.waiting[:count]:
+            self.claims |= {given.name: given.claim for given in context.givens}
+            self.homes |= {given.name: context.name for given in context.givens}
+            premises = self.page.premises.get(context.name)
+            yield Chapter(context.parent, (Opened(context, premises),))
+        del self.waiting[:count]
+
+    def _defined(self, line: Line) -> Iterator[Defined]:
+        """The constants that a line is the first to use, after those that they use."""
+        used = [*_terms(line)]
+        facts = _facts(line.reason)
+        for name in [*names_of(*used), *facts]:
+            yield from self._define(name)
+
+    def _define(self, name: str) -> Iterator[Defined]:
+        if name in self.undefined:
+            _, term = self.undefined.pop(name)
+            for inner in names_of(term):
+                yield from self._define(inner)
+            yield Defined(name)
+
+    # --- one line -------------------------------------------------------------------------------
+
+    def _line(
+        self, keys: Keys, name: str, row: object, home: str | None, chapter: Mapping[str, Any]
+    ) -> Line:
+        table = self.page.table(keys, row if isinstance(row, dict) else {"lemma": row}, LINE)
+        if "instance" in table:
+            table = {key: chapter[key] for key in ("at", "by") if key in chapter} | table
+        kinds = [kind for kind in KINDS if kind in table]
+        if len(kinds) != 1 and kinds != ["claim", "instance"]:
+            what = f"it has {' and '.join(kinds)}" if kinds else "it has no claim"
+            raise self.places.error(keys, f"{what}; write one of {', '.join(KINDS)}")
+        (kind, *_) = kinds
+        self.page.name(keys, name)
+        claim: Claim | Applies | Always
+        if kind in ("applies", "always"):
+            claim = self._of_context(keys, kind, table, home)
+        elif kind == "instance":
+            claim = self._instance(keys, table, home)
+        else:
+            claim = self._claim([*keys, kind], table[kind], home)
+        reason = self._reason(keys, table, claim, home)
+        line = Line(name, claim, reason)
+        if kind in ("lemma", "instance"):
+            self._known(line, home)
+            return line
+        fields = self.page.fields(keys, {**_fields(chapter, _FIELDS[:4]), **_fields(table)})
+        line = line._replace(label=fields["label"], says=fields["says"], uses=fields["uses"])
+        self.page.rows[name] = Obligation(name=name, claim=claim, context=home, **fields)
+        self._known(line, home)
+        return line
+
+    def _known(self, line: Line, home: str | None) -> None:
+        if isinstance(line.claim, Claim) and not isinstance(line.reason, ByWitness):
+            self.claims[line.name], self.homes[line.name] = line.claim, home
+
+    def _claim(self, keys: Keys, value: object, home: str | None) -> Claim:
+        text = self.page.text(keys, value, "a claim")
+        match = AT.fullmatch(text)
+        if match and match[1] in self.conditions:
+            condition, context = self.conditions[match[1]]
+            return substitute_claim(condition, self._state(keys, context, match[2]))
+        found = self.page.claims(keys, text, self.page.scope.inside(home))
+        if len(found) != 1:
+            raise self.places.error(
+                keys, f"{shown(text)} is {len(found)} claims; write a line each"
+            )
+        return found[0]
+
+    def _state(self, keys: Keys, context: str, state: str) -> Mapping[str, Term]:
+        """The values of a state of a context."""
+        states = self.page.states[context]
+        if state not in states:
+            instead = nearest(state, states, f"{context} has the states {', '.join(states)}")
+            raise self.places.error(keys, f"{shown(state)} is no state; {instead}")
+        return states[state]
+
+    def _instance(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> Claim:
+        fact = self.page.text([*keys, "instance"], table["instance"], "the name of a fact")
+        if fact not in self.claims:
+            instead = nearest(fact, self.claims, "write the name of an earlier line")
+            raise self.places.error([*keys, "instance"], f"{shown(fact)} is no fact; {instead}")
+        values = self._values([*keys, "at"], table.get("at"), self.homes[fact] or "", home)
+        return substitute_claim(self.claims[fact], values)
+
+    def _values(self, keys: Keys, value: object, name: str, home: str | None) -> Mapping[str, Term]:
+        """The values of the variables of a context, or those of the state that is named."""
+        if isinstance(value, str) and "=" not in value:
+            return self._state(keys, name, value)
+        context, names = self.page.contexts[name], self.page.scope.inside(home)
+        known = self.page.scope.inside(context.name).known
+        found = self.page.values(keys, value, names)
+        at = {known.get(name, name): term for name, term in found.items()}
+        self.page.complete(keys, at, [variable.name for variable in context.variables])
+        return at
+
+    def _of_context(
+        self, keys: Keys, kind: str, table: Mapping[str, Any], home: str | None
+    ) -> Applies | Always:
+        name = self.page.text([*keys, kind], table[kind], "the name of a context")
+        if name not in self.page.contexts:
+            raise self.places.error([*keys, kind], self.page.no_context(name))
+        if kind == "applies":
+            return Applies(name, self._values([*keys, "at"], table.get("at"), name, home))
+        start = self._values([*keys, "start"], table.get("start"), name, home)
+        return Always(name, start, self._values([*keys, "next"], table.get("next"), name, name))
+
+    # --- what it follows from -------------------------------------------------------------------
+
+    def _reason(
+        self,
+        keys: Keys,
+        table: Mapping[str, Any],
+        claim: Claim | Applies | Always,
+        home: str | None,
+    ) -> Reason:
+        by = table.get("by")
+        if "false_at" in table:
+            place = [*keys, "false_at"]
+            return ByWitness(self._values(place, table["false_at"], home or "", None))
+        if isinstance(claim, Applies):
+            return ByApplying(self._names([*keys, "by"], by))
+        if isinstance(claim, Always):
+            pair = by if isinstance(by, list) and len(by) == 2 else [by, by]
+            start, after = (self._names([*keys, "by"], text) for text in pair)
+            return ByInduction(start, after)
+        if "instance" in table:
+            fact = table["instance"]
+            values = self._values([*keys, "at"], table.get("at"), self.homes[fact] or "", home)
+            return ByInstance(fact, values, self._names([*keys, "by"], by))
+        if "rule" in table:
+            return self._rule(keys, table)
+        if by is None and "using" not in table and "plus" not in table:
+            return ToBeFound()
+        if isinstance(by, list):
+            branches = tuple(self._branch(keys, text, home) for text in by)
+            of = table.get("of")
+            side = self.page.text([*keys, "side"], table.get("side", "rhs"), "lhs or rhs")
+            return ByLeast(branches, of, side)
+        return self._sum(keys, table, home)
+
+    def _rule(self, keys: Keys, table: Mapping[str, Any]) -> Reason:
+        rule = self.page.text([*keys, "rule"], table["rule"], "the name of a rule")
+        if rule == "root":
+            return ByRoot()
+        if rule == "interval":
+            return ByInterval()
+        if rule == "entry":
+            return ByEntry(table.get("of"), table.get("side", "lhs"))
+        instead = nearest(rule, RULES, f"write {', '.join(RULES)}")
+        raise self.places.error([*keys, "rule"], f"{shown(rule)} is no rule here; {instead}")
+
+    def _sum(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> BySum | ByNames:
+        inside = self.page.scope.inside(home)
+        place = [*keys, "by"]
+        text = self.page.text(place, table.get("by", ""), "names of facts")
+        known = [*self.claims, *self.homes]
+
+        def term(inner: str) -> Term:
+            return read_term(self.places.where(place, text), inner, inside)
+
+        addends = read_by(self.places.where(place, text), text, known, term)
+        using = self._names([*keys, "using"], table.get("using", ""))
+        plus = self.page.values([*keys, "plus"], table.get("plus", {}), inside)
+        for fact in plus:
+            self._fact([*keys, "plus"], fact)
+        equations = tuple(plus.items())
+        if not isinstance(addends, Facts):
+            return BySum(addends, using, equations)
+        if using or equations:
+            return BySum((), using, equations)
+        return ByNames(tuple(addends))
+
+    def _branch(self, keys: Keys, text: object, home: str | None) -> BySum:
+        """The sum for one entry of a minimum or maximum."""
+        found = self._sum(keys, {"by": text}, home)
+        if isinstance(found, BySum):
+            return found
+        raise self.places.error([*keys, "by"], 'write the products for each entry: "goal + a*b"')
+
+    def _names(self, keys: Keys, value: object) -> tuple[str, ...]:
+        """The facts of which a text has the names."""
+        names = self.page.text(keys, value, "names of facts").split()
+        for name in names:
+            self._fact(keys, name)
+        return tuple(names)
+
+    def _fact(self, keys: Keys, name: str) -> None:
+        if name not in self.claims and name not in self.homes:
+            known = [*self.claims, *self.homes]
+            instead = nearest(name, known, "write names of what is given, or of earlier lines")
+            raise self.places.error(keys, f"{shown(name)} is no fact known here; {instead}")
+
+
+def _joined(chapters: Iterable[Chapter]) -> Iterator[Chapter]:
+    """The chapters, with those that follow one another in one context in one."""
+    for home, some in groupby(chapters, key=lambda chapter: chapter.context):
+        items = tuple(item for chapter in some for item in chapter.items)
+        if items:
+            yield Chapter(home, items)
+
+
+#: What is said of a row; the first four may be said of a chapter.
+_FIELDS = ("group", "label", "says", "uses", "role", "severity", "corrected_by")
+
+
+def _fields(table: Mapping[str, Any], keys: Sequence[str] = _FIELDS) -> dict[str, Any]:
+    return {key: table[key] for key in keys if key in table}
+
+
+def _terms(line: Line) -> Iterator[Term]:
+    """The terms in a line: those of its claim, and those in its reason."""
+    claim = line.claim
+    if isinstance(claim, Claim):
+        yield from (claim.lhs, claim.rhs)
+    elif isinstance(claim, Applies):
+        yield from claim.at.values()
+    else:
+        yield from (*claim.start.values(), *claim.next.values())
+    reason = line.reason
+    for part in (reason, *(reason.branches if isinstance(reason, ByLeast) else ())):
+        if isinstance(part, BySum):
+            yield from (term for _, term in part.equations)
+            yield from (term for value in part.addends for term in _squared(value))
+        if isinstance(part, ByNames):
+            yield from (term for value in part.facts for term in _squared(value))
+        if isinstance(part, ByInstance):
+            yield from part.values.values()
+
+
+def _squared(value: object) -> Iterator[Term]:
+    if isinstance(value, Term):
+        yield value
+    elif isinstance(value, tuple):
+        for part in value[1:]:
+            yield from _squared(part)
+
+
+def _facts(reason: Reason) -> Iterator[str]:
+    """The names of equations that a reason uses, which may define constants."""
+    if isinstance(reason, BySum):
+        yield from reason.using
+        yield from (name for name, _ in reason.equations)
+    elif isinstance(reason, ByNames):
+        yield from (fact for fact in reason.facts if isinstance(fact, str))
+    elif isinstance(reason, ByLeast | ByEntry) and reason.equation:
+        yield reason.equation

@@ -59,7 +59,7 @@ class WorkBudget:
         self._row_end = self._end
 
     @contextmanager
-    def part(self, work: int, time: int) -> Iterator[WorkBudget]:
+    def part(self, work: int, time: float) -> Iterator[WorkBudget]:
         """A budget with one of so many parts of the work for each row, and of the time left."""
         found = WorkBudget(self.work // work, None, self.watch, catches=self.catches)
         if self._end is not None:

@@ -53,7 +53,7 @@ from verify.check import EXIT_CODES as OF_CHECKER
 from verify.cli import OWN_ERROR, USAGE_ERROR
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.paper.source import PAPER
-from verify.prover.decimals import inside, short
+from verify.prover.decimals import rounded_inwards, short
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.outcome import EXIT_CODES
 from verify.spheres.limit_map import Parameters
@@ -238,7 +238,7 @@ said(
     ),
 )
 third = (constant("V_1") - 1) / 3
-said(P, "in [{}, {}];", *inside((1 + third, constant("V_1") - third), 6))
+said(P, "in [{}, {}];", *rounded_inwards((1 + third, constant("V_1") - third), 6))
 said(P, "by the time {} and", short((constant("T_star"),) * 2))
 said(P, "within {} of {}.", told(point()["parameters"]["delta_theta"]), C)
 M = MEASURED["coq"]

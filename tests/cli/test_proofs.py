@@ -46,7 +46,7 @@ def test_all_parameters(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> N
     whole = " ".join(out.split())
     assert "δ_x = min(δ₁, δ₂, δ₃, δ₄, δ₅, V₀/V₁·(δ₂²·h₅/12))" in whole
     assert "0 < (-η_c), (-η_c) ≤ η̄, 0 < η_s, " in whole
-    printed = whole.index("Theorem 1 as printed: refuted by the misprint < in (4.10)")
+    printed = whole.index("Theorem 1 as printed, misprint < in (4.10): refuted")
     assert printed < whole.index("Its set: ")
     cited, proof = sorted((tmp_path / "all/cited").iterdir(), reverse=True)
     assert proof.name == f"{cited.stem}.certificate.json"

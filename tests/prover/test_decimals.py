@@ -14,10 +14,10 @@ from verify.prover.decimals import (
     decimal_exponent,
     decimal_text,
     exact_number,
-    inside,
     near_decimal,
     outward,
     round_decimal,
+    rounded_inwards,
     short,
     told_apart,
 )
@@ -133,15 +133,15 @@ intervals = st.builds(
 def test_what_is_rounded_inwards_is_never_empty_and_says_something(
     ends: tuple[Fraction, Fraction], digits: int
 ) -> None:
-    low, high = map(value_of, inside(ends, digits))
+    low, high = map(value_of, rounded_inwards(ends, digits))
     assert ends[0] <= low < high <= ends[1]
     assert high - low >= (ends[1] - ends[0]) * Fraction(9, 10)
 
 
 def test_no_more_digits_inwards_than_it_takes() -> None:
     third = Fraction(1, 3 * 10**6)
-    assert inside((1 + third, 1 + 2 * third), 6) == ["1.00000034", "1.00000066"]
-    assert inside((Fraction("1.083"), Fraction("1.166")), 6) == ["1.083", "1.166"]
+    assert rounded_inwards((1 + third, 1 + 2 * third), 6) == ["1.00000034", "1.00000066"]
+    assert rounded_inwards((Fraction("1.083"), Fraction("1.166")), 6) == ["1.083", "1.166"]
 
 
 def shown(text: str) -> tuple[Fraction, Fraction]:

@@ -81,5 +81,5 @@ PAPER = Publication(
     in_coq=IN_COQ,
     notes=notes,
     source=source_sha256,
-    fatal={"printed.second-assumption-as-printed": "the misprint < in (4.10)"},
+    fatal={"printed.second-assumption-as-printed": "misprint < in (4.10)"},
 )

@@ -153,7 +153,7 @@ def both_ends(ends: tuple[Fraction, Fraction]) -> str:
     return f"[{', '.join(map(people, outward(ends, digits)))}]"
 
 
-def inside(ends: tuple[Fraction, Fraction], digits: int) -> list[str]:
+def rounded_inwards(ends: tuple[Fraction, Fraction], digits: int) -> list[str]:
     """Two decimals between the ends, as people write them, with at least ``digits`` digits.
 
     There are as many more as it takes for nine tenths of what is between the ends to be between

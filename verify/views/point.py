@@ -15,7 +15,14 @@ from verify.language.statement import (
 )
 from verify.language.terms import Term
 from verify.prover.decimals import decimal_text as decimal
-from verify.prover.decimals import exact_number, inside, people, round_decimal, short, told_apart
+from verify.prover.decimals import (
+    exact_number,
+    people,
+    round_decimal,
+    rounded_inwards,
+    short,
+    told_apart,
+)
 from verify.prover.outcome import Outcome
 from verify.views import words
 
@@ -76,9 +83,13 @@ def threshold(outcome: Outcome, hypothesis: str) -> str:
         else:
             return ""
         c, right = outcome.statement.parameters["c"], balls.ends(bound)
-        own, other = told_apart(words.ends_of(outcome, "c") or (Fraction(0), Fraction(1)), right)
         if c.op == "rational":
-            own = exact_number(c.value)
+            own, other = exact_number(c.value), told_apart((c.value, c.value), right)[1]
+        else:
+            enclosed = words.ends_of(outcome, "c")
+            own, other = (
+                ("undefined", short(right)) if enclosed is None else told_apart(enclosed, right)
+            )
         return f"-cos θ₀ = {own}, the right side is {other}"
 
 
@@ -105,7 +116,7 @@ def theorem_in_numbers(outcome: Outcome) -> str:
         return people(_safe(value(name), up=False))
 
     third = (value("V_1") - known["V_0"].value) / 3
-    low, high = inside((known["V_0"].value + third, value("V_1") - third), SAFE_DIGITS)
+    low, high = rounded_inwards((known["V_0"].value + third, value("V_1") - third), SAFE_DIGITS)
     angle = people(_safe(value("Delta_theta") / 4, up=False))
     root = words.ends_told(words.ends_of(outcome, "phi_minus"))
     v_0, delta = (exact_number(known[name].value) for name in ("V_0", "delta_theta"))

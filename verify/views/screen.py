@@ -63,8 +63,8 @@ def screen(
 def printed_lines(verdicts: Mapping[str, str], paper: Publication) -> Iterator[str]:
     """Whether the theorem is true as it is printed, and by which misprint not; and its set."""
     if "sign" in verdicts:
-        by = " and ".join(paper.fatal.values())
-        yield f"Theorem 1 as printed: {verdicts['sign']} by {by} (certificates/printed-sign)"
+        what = ", ".join(["Theorem 1 as printed", *paper.fatal.values()])
+        yield f"{what}: {verdicts['sign']} (certificates/printed-sign)"
     if "set" in verdicts:
         yield (
             f"Its set as printed, with > for <: {verdicts['set']} (certificates/printed-set), with "
@@ -91,7 +91,7 @@ def _argument(outcome: Outcome, paper: Publication) -> Iterator[str]:
     rest = [counted(kinds[kind], kind) for kind in (HARMLESS, SLIP) if kinds[kind]]
     fatal = [row.name for row, found in outcome.rows if words.fair(outcome, row, found) == REFUTED]
     if any(name in paper.fatal for name in fatal):
-        rest[-1] += ", one of them fatal"
+        rest[-1] += ", one fatal"
     if rest:
         yield f"  Also refuted: {', '.join(rest)}."
     others = [counted(kinds[kind], kind) for kind in (OTHERWISE, REMARK) if kinds[kind]]

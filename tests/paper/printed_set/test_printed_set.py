@@ -271,7 +271,7 @@ def test_the_first_screen_answers_three_questions(
     lines = capsys.readouterr().out.splitlines()[:24]
     assert max(map(len, lines)) <= 80
     first = " ".join(line.strip() for line in lines)
-    assert "Theorem 1 as printed: refuted by the misprint < in (4.10)" in first
+    assert "Theorem 1 as printed, misprint < in (4.10): refuted" in first
     assert "Its set as printed, with > for <: proved" in first
     assert "The printed argument for it: refuted Refuted steps that break it" in first
     for name in ("set-interior", "zeta-x-bound", "zeta-term-2", "zeta-remainders", "zeta-total"):
@@ -288,7 +288,7 @@ def test_a_referee_reads_the_verdicts(capsys: pytest.CaptureFixture[str]) -> Non
         code = main(["theorem1", *line.split()])
         said[line] = capsys.readouterr().out
         assert code == (1 if "printed" in line else 0)
-        assert "Theorem 1 as printed: refuted by the misprint < in (4.10)" in said[line]
+        assert "Theorem 1 as printed, misprint < in (4.10): refuted" in said[line]
         assert "Its set as printed, with > for <: proved" in said[line]
     last = " ".join(said["--all --constants printed"].partition("Verdict: ")[2].split())
     assert last.startswith("refuted: the printed argument, for all parameters")

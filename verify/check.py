@@ -2410,15 +2410,15 @@ def check(
     ``available`` has the bytes of statements that may be cited, by their digests; ``work`` is the
     limit, if it is another one.
     """
-    document = parsed("statement", first, STATEMENT)
-    certificate = parsed("certificate", second, CERTIFICATE)
-    digest, found = sha256(first).hexdigest(), certificate["statement_sha256"]
-    need(found == digest, Malformed, "statement_sha256: found {}, expected {}", found, digest)
     kernel = Kernel()
     kernel.work = limit = MAX_WORK if work is None else work
     try:
         kernel.spend(0, (len(first) + len(second)) // 8)
         kernel.spend(0, brackets(first) + brackets(second))
+        document = parsed("statement", first, STATEMENT)
+        certificate = parsed("certificate", second, CERTIFICATE)
+        digest, found = sha256(first).hexdigest(), certificate["statement_sha256"]
+        need(found == digest, Malformed, "statement_sha256: found {}, expected {}", found, digest)
         reader = Reader(kernel, available)
         return checked(reader, reader.read(document), certificate, digest, limit)
     finally:

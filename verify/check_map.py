@@ -1303,8 +1303,7 @@ def check_log(lines: Iterator[bytes], most: int | None = MAX_WORK) -> tuple[Plan
         raise LogError("expected a first level from 1 to 8")
     if isinstance(plane, Strip) and 1 << level != len(plane.curve):
         raise LogError("expected a first box for each part of the curve")
-    tally, rules = Tally(plane), rules_of(plane)
-    law = law_in(plane)
+    tally, rules, law = Tally(plane), rules_of(plane), law_in(plane)
     begin, work, digits = beginning(law, plane), Work(most), digits_of(plane)
     least = 0 if rules.is_line else 6
     due, children = [_key(i, level, digits) for i in range(len(digits) ** level)], list[str]()

@@ -126,7 +126,7 @@ def test_interrupts_at_any_time() -> None:
 
 def test_an_interrupt_waits() -> None:
     done = []
-    with pytest.raises(KeyboardInterrupt), held():
+    with pytest.raises(KeyboardInterrupt), held():  # noqa: PT012
         signal.raise_signal(signal.SIGINT)
         done.append(1)
     assert done == [1]

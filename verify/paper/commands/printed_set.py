@@ -5,16 +5,16 @@ from __future__ import annotations
 from functools import cache
 
 from verify.language.argument import Chapter, Opened
-from verify.language.statement import PROVED, REFUTED, UNDECIDED
+from verify.language.statement import PROVED, REFUTED, UNDECIDED, Statement
 from verify.language.terms import symbol
 from verify.paper.commands.classification import decide_classification
 from verify.paper.commands.collapse import decide_sharper
 from verify.paper.commands.everywhere import Everywhere
+from verify.paper.commands.pages import page
 from verify.paper.everywhere import chart, hints
 from verify.paper.parameters import PRINTED
 from verify.paper.printed_set import numbers, printed_set, sign
-from verify.paper.sharper import state as sharper
-from verify.paper.step.initial import CONTEXT
+from verify.paper.step import STEP
 from verify.prover.arguments import Writing
 from verify.prover.ground import Ground
 from verify.prover.outcome import Outcome
@@ -28,7 +28,8 @@ from verify.wire.write import write
 def decide_printed_set() -> Outcome:
     """Every row, and that the sharper theorem applies; the checker has judged it."""
     files = write(decide_sharper())
-    statement = printed_set.statement(files["statement.json"], files["certificate.json"])
+    statement = _stated(files["statement.json"], files["certificate.json"])
+    here, start = statement.contexts[1], page("sharper").statement.context("start")
     work = Everywhere(statement, PRINTED)
     work.prepare()
     least = f"{PRINTED}.delta_x"
@@ -36,17 +37,23 @@ def decide_printed_set() -> Outcome:
     work.lines(hints.about_zeta_bar(numbers.k))
     for constant in numbers.CONSTANTS:
         work.constant(constant, constant.name)
-    work.lines(numbers.room())
-    for constant in numbers.TURNED:
+    work.lines(numbers.room(start))
+    for constant in numbers.turned(start):
         work.constant(constant, constant.name)
     work.lines(numbers.conclusions())
-    work.lines(printed_set.inside())
-    point = tuple(f"at-{name}" for name in printed_set.GIVENS)
-    work.writing.chapter(Chapter(None, (Opened(printed_set.context(), point),)))
-    work.writing.chapter(Chapter(CONTEXT, tuple(printed_set.lines())))
-    givens = (*(f"room-{name}" for name in sharper.ROOM), *map(printed_set.premise, sharper.ENTRY))
+    work.lines(printed_set.inside(here))
+    point = tuple(f"at-{name}" for name in here.claims)
+    work.writing.chapter(Chapter(None, (Opened(here, point),)))
+    work.writing.chapter(Chapter(here.name, tuple(printed_set.lines(start))))
+    givens = tuple(printed_set.premises(here, start))
     work.writing.decide(work.writing.rows[printed_set.COLLAPSE], Applying(givens))
     return work.outcome()
+
+
+def _stated(content: bytes, certificate: bytes) -> Statement:
+    """The statement, which cites the sharper theorem by these files."""
+    initial = page(STEP).statement.context("initial")
+    return printed_set.statement(initial, page("sharper").statement, content, certificate)
 
 
 @cache
@@ -71,6 +78,6 @@ def verdicts_as_printed() -> dict[str, str]:
     """
     stated = sign.sign(*packaged_files("classification")).statement
     with_sign = known(PRINTED_SIGN, stated) or decide_printed_sign()
-    stated = printed_set.statement(*packaged_files("sharper"))
+    stated = _stated(*packaged_files("sharper"))
     of_set = known(PRINTED_SET, stated) or decide_printed_set()
     return {"sign": REFUTED if with_sign.verdict == PROVED else UNDECIDED, "set": of_set.verdict}

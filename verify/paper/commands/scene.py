@@ -11,12 +11,10 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import cache
 
+from verify.language.argument import Argument
 from verify.language.statement import PROVED, Applies, Cite, Context, Obligation, Statement
 from verify.language.terms import Claim, Term
 from verify.paper.commands.pages import argument
-from verify.paper.sandwich.comparison import stair
-from verify.paper.sandwich.state import start_context as sandwich_start
-from verify.paper.sharper.state import start_context as sharper_start
 from verify.prover import balls
 from verify.prover.arguments import write_down
 from verify.prover.decimals import enclosing_decimals, round_decimal
@@ -43,10 +41,6 @@ from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.scene_files import is_in_range
 from verify.spheres.scene.telling import (
     CLASSIFICATION,
-    LINE_START,
-    SANDWICH_START,
-    STAIR,
-    START,
     TIME,
     Numbers,
     Telling,
@@ -87,11 +81,15 @@ def decide_line() -> Outcome:
 
 
 @cache
-def cited_contexts() -> dict[str, Context]:
-    """The contexts that a scene applies, by the names by which it cites them."""
-    found = {f"{FLOW}:{context.name}": context for context in flow().statement.contexts}
-    found |= {START: sharper_start(), LINE_START: argument("line").statement.contexts[0]}
-    return found | {SANDWICH_START: sandwich_start(), STAIR: stair()}
+def cited_context(name: str) -> Context:
+    """The context that a scene applies, by the name by which it cites it."""
+    theorem, _, context = name.partition(":")
+    return _cited(theorem).statement.context(context)
+
+
+def _cited(name: str) -> Argument:
+    """A theorem that a scene may cite."""
+    return flow() if name == FLOW else argument(PAGES[name])
 
 
 def tell(found: Fate) -> Telling:
@@ -195,7 +193,7 @@ def cites(found: Fate) -> list[Cite]:
 @cache
 def _cite(name: str) -> Cite:
     """What is claimed in a theorem, with its proof; whoever writes the scene has both checked."""
-    outcome = write_down(flow() if name == FLOW else argument(PAGES[name]))
+    outcome = write_down(_cited(name))
     files, trusted = write(outcome), outcome.assumptions
     content, certificate = files["statement.json"], files["certificate.json"]
     return Cite(name, outcome.statement.theorem, content, (), trusted, certificate)
@@ -203,7 +201,7 @@ def _cite(name: str) -> Cite:
 
 def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:
     if isinstance(row.claim, Applies):
-        context = cited_contexts()[row.claim.context]
+        context = cited_context(row.claim.context)
         return Applying(
             tuple(_premise(given.claim, row.claim.at, bits) for given in context.givens)
         )

@@ -5,8 +5,8 @@ from __future__ import annotations
 from verify.cli import claims
 from verify.cli.files import test_folder
 from verify.cli.options import Options, Usage
-from verify.paper.classification.meaning import MEANING
 from verify.paper.commands.classification import at_restitution, decide_classification, verdict_at
+from verify.paper.meaning import MEANING
 from verify.paper.source import PAPER
 from verify.prover.outcome import EXIT_CODES
 from verify.views.classification import (

@@ -106,6 +106,14 @@ def _cite(item: Any, cited: Mapping[str, bytes]) -> Cite:
     return Cite(item["name"], item["theorem"], content, inner, assumptions, certificate)
 
 
+def cite_of(statement: bytes, certificate: bytes) -> Cite:
+    """The citation, under its theorem's name, of a statement that cites nothing itself."""
+    document = json.loads(statement)
+    theorem = document["theorem"]
+    assumptions = tuple(Assumption(**entry) for entry in document["assumptions"])
+    return Cite(theorem, theorem, statement, (), assumptions, certificate)
+
+
 def cites_of(cited: Mapping[str, bytes]) -> tuple[Cite, ...]:
     """What may be cited among some files, by their digests: each statement under its theorem.
 

@@ -12,12 +12,24 @@ from verify.wire.judge import judged
 from verify.wire.text import Page
 from verify.wire.text.read_page import read_page
 
+FOLDER = files("verify.paper")
+
+
+def names() -> list[str]:
+    """The names of all pages."""
+    found = [path.name for path in FOLDER.iterdir() if path.name.endswith(".toml")]
+    return sorted(name.removesuffix(".toml") for name in found)
+
+
+def content(name: str) -> bytes:
+    """The text of the page of this name."""
+    return FOLDER.joinpath(f"{name}.toml").read_bytes()
+
 
 @cache
 def page(name: str) -> Page:
     """The page of this name."""
-    content = files("verify.paper").joinpath(f"{name}.toml").read_bytes()
-    return read_page(f"verify/paper/{name}.toml", content)
+    return read_page(f"verify/paper/{name}.toml", content(name))
 
 
 def argument(name: str) -> Argument:

@@ -21,6 +21,7 @@ from verify.prover.outcome import Outcome
 from verify.prover.rules import Applying
 from verify.wire.judge import judged, known
 from verify.wire.packaged import PRINTED_SET, PRINTED_SIGN, packaged_files
+from verify.wire.read import cite_of
 from verify.wire.write import write
 
 
@@ -53,7 +54,7 @@ def decide_printed_set() -> Outcome:
 def decide_printed_sign() -> Outcome:
     """That the theorem is false with the sign as printed; the checker has judged it."""
     files = write(decide_classification())
-    argument = sign.sign(files["statement.json"], files["certificate.json"])
+    argument = sign.sign(cite_of(files["statement.json"], files["certificate.json"]))
     writing = Writing(argument.statement)
     for chapter in argument.chapters:
         writing.chapter(chapter)
@@ -69,7 +70,7 @@ def verdicts_as_printed() -> dict[str, str]:
 
     They are those of the certificates that come with the program; what differs is decided anew.
     """
-    stated = sign.sign(*packaged_files("classification")).statement
+    stated = sign.sign(cite_of(*packaged_files("classification"))).statement
     with_sign = known(PRINTED_SIGN, stated) or decide_printed_sign()
     stated = printed_set.statement(*packaged_files("sharper"))
     of_set = known(PRINTED_SET, stated) or decide_printed_set()

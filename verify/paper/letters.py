@@ -1,17 +1,12 @@
-"""Contexts with letters of their own, their vectors, and rows that are false at a point of one."""
+"""Contexts with letters of their own."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
-from itertools import chain
 
-from verify.language.argument import Argument, Chapter, Item, Line, Opened, argue
-from verify.language.record import Record
-from verify.language.statement import Assumption, Context, Given, Obligation, Variable
+from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Claim, Number, Term, as_term, symbol
-from verify.language.vectors import Combination, add, scale
-from verify.paper.rows import misprint
 
 #: How letters are written in LaTeX, where that is not their name.
 TEX = {
@@ -76,79 +71,3 @@ def tex(letter: str) -> str:
     for sign, command in TEX.items():
         letter = letter.replace(sign, command)
     return letter
-
-
-def minus(x: Combination, z: Combination) -> Combination:
-    """The difference of two vectors."""
-    return add(x, scale(-1, z))
-
-
-class Space(Record):
-    """What is known of the inner products of named vectors: only those that are listed."""
-
-    products: Mapping[tuple[str, str], Term]
-
-    def known(self, i: str, j: str) -> Term:
-        """The inner product of two of the named vectors."""
-        return self.products[(i, j) if (i, j) in self.products else (j, i)]
-
-    def dot(self, x: Combination, z: Combination) -> Term:
-        """The inner product of two combinations."""
-        total: Term | None = None
-        for i, p in x.items():
-            for j, q in z.items():
-                part = p * q * self.known(i, j)
-                total = part if total is None else total + part
-        return as_term(0) if total is None else total
-
-
-def subject(
-    letters: Letters, says: str, point: str, givens: Mapping[str, Claim], lines: Iterable[Item] = ()
-) -> tuple[Chapter, ...]:
-    """The chapters that open a context without a parent, and prove lines in it."""
-    opened = Chapter(None, (Opened(letters.opened(says, point, givens)),))
-    return opened, Chapter(letters.context, tuple(lines))
-
-
-class Refuted(Record):
-    """A misprint in a context, and a point of the context at which the claim is false."""
-
-    row: Obligation
-    at: Mapping[str, Term]
-
-
-def refuted(
-    letters: Letters,
-    name: str,
-    claim: Claim,
-    at: str,
-    *,
-    label: str,
-    says: str,
-    severity: str,
-    corrected_by: str,
-) -> Refuted:
-    """The row, and the numbers of the point in the order of the letters."""
-    row = misprint(name, label, says, claim, group="", severity=severity, corrected_by=corrected_by,
-                   context=letters.context)  # fmt: skip
-    return Refuted(row, letters.point(at))
-
-
-def sectioned(
-    name: str,
-    title: str,
-    sections: Mapping[str, Callable[[], Iterable[Chapter]]],
-    assumptions: tuple[Assumption, ...],
-) -> Argument:
-    """The statement whose chapters stand under headings; its rows have these for their groups."""
-    chapters = {heading: tuple(section()) for heading, section in sections.items()}
-    written = argue(name, title, chain(*chapters.values()), assumptions)
-    headings = {
-        item.name: heading
-        for heading, own in chapters.items()
-        for chapter in own
-        for item in chapter.items
-        if isinstance(item, Line)
-    }
-    rows = (row._replace(group=headings[row.name]) for row in written.statement.obligations)
-    return written._replace(statement=written.statement._replace(obligations=tuple(rows)))

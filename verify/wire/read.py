@@ -82,6 +82,12 @@ def _ends(texts: Any) -> tuple[Fraction, Fraction]:
     return low, high
 
 
+def statement_of(content: bytes) -> Statement:
+    """The statement that a file is, which cites nothing."""
+    document = json.loads(content)
+    return read_statement(document, TermReader(document["terms"]), {})
+
+
 def read_statement(document: Any, reader: TermReader, cited: Mapping[str, bytes]) -> Statement:
     """The statement that a JSON value stands for."""
     return Statement(

@@ -13,7 +13,7 @@ from functools import cache
 
 from verify.language.statement import PROVED, Applies, Cite, Context, Obligation, Statement
 from verify.language.terms import Claim, Term
-from verify.paper.commands.pages import argument
+from verify.paper.commands.pages import cite, decide, statement
 from verify.paper.sandwich.comparison import stair
 from verify.paper.sandwich.state import start_context as sandwich_start
 from verify.paper.sharper.state import start_context as sharper_start
@@ -53,6 +53,7 @@ from verify.spheres.scene.telling import (
 )
 from verify.spheres.scene.verdict import scene_lines, theorems
 from verify.wire.judge import judged
+from verify.wire.read import cite_of
 from verify.wire.write import write
 
 #: Digits of the times in a certificate.
@@ -83,14 +84,14 @@ def decide_flow() -> Outcome:
 @cache
 def decide_line() -> Outcome:
     """The collapse of spheres on a line."""
-    return judged(write_down(argument("line")))
+    return decide("line")
 
 
 @cache
 def cited_contexts() -> dict[str, Context]:
     """The contexts that a scene applies, by the names by which it cites them."""
     found = {f"{FLOW}:{context.name}": context for context in flow().statement.contexts}
-    found |= {START: sharper_start(), LINE_START: argument("line").statement.contexts[0]}
+    found |= {START: sharper_start(), LINE_START: statement("line").contexts[0]}
     return found | {SANDWICH_START: sandwich_start(), STAIR: stair()}
 
 
@@ -195,10 +196,10 @@ def cites(found: Fate) -> list[Cite]:
 @cache
 def _cite(name: str) -> Cite:
     """What is claimed in a theorem, with its proof; whoever writes the scene has both checked."""
-    outcome = write_down(flow() if name == FLOW else argument(PAGES[name]))
-    files, trusted = write(outcome), outcome.assumptions
-    content, certificate = files["statement.json"], files["certificate.json"]
-    return Cite(name, outcome.statement.theorem, content, (), trusted, certificate)
+    if name != FLOW:
+        return cite(PAGES[name])._replace(name=name)
+    files = write(write_down(flow()))
+    return cite_of(files["statement.json"], files["certificate.json"])
 
 
 def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:

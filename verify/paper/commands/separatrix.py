@@ -20,14 +20,13 @@ from verify.language.statement import (
     PROVED,
     Applies,
     Assumption,
-    Cite,
     Constant,
     Context,
     Obligation,
     Statement,
 )
 from verify.language.terms import Claim, Number, Term, as_term, symbol
-from verify.paper.commands.pages import decide, page
+from verify.paper.commands.pages import cite, decide, statement
 from verify.prover.decimals import exact_number, round_decimal
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
@@ -37,8 +36,6 @@ from verify.spheres.limit_map import CurveAt, Parameters, Trap, beyond, find_tra
 from verify.spheres.separatrix import Separatrix, staircase
 from verify.spheres.separatrix import decide_separatrix as enclose
 from verify.wire.judge import judged
-from verify.wire.read import cite_of
-from verify.wire.write import write
 
 #: The theorem, and its page.
 NAME = "separatrix"
@@ -229,7 +226,7 @@ def point_outcome(point: PointParameters) -> Outcome:
     given = [Constant(name, name, name, "", x) for name, x in parameters.items()]
     constants = _constants()
     statement = Statement(
-        POINT, _title(point), parameters, constants, (), tuple(rows), (POINT_GLUE,), (_cited(),)
+        POINT, _title(point), parameters, constants, (), tuple(rows), (POINT_GLUE,), (cite(NAME),)
     )
     session = Session()
     ground = Ground(session)
@@ -270,15 +267,9 @@ def _title(point: PointParameters) -> str:
 
 
 @cache
-def _cited() -> Cite:
-    files = write(decide_separatrix())
-    return cite_of(files["statement.json"], files["certificate.json"])
-
-
-@cache
 def _contexts() -> dict[str, Context]:
     """The contexts of the theorem."""
-    return {context.name: context for context in page(NAME).statement.contexts}
+    return {context.name: context for context in statement(NAME).contexts}
 
 
 def _rows(point: PointParameters) -> tuple[list[Obligation], int]:

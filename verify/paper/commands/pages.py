@@ -1,31 +1,101 @@
-"""The pages of the paper, `verify/paper/NAME.toml`, read once per process."""
+"""The pages of the paper, `verify/paper/NAME.toml`: what each says, and its proof.
+
+A certificate of each comes with the program. Where the text of the page is the one from which it
+was made, its files are taken; after any change to the text the page is read.
+"""
 
 from __future__ import annotations
 
+import os
 from functools import cache
-from importlib.resources import files
 
 from verify.language.argument import Argument
-from verify.prover.arguments import write_down
+from verify.language.record import TYPE_CHECKING
+from verify.language.statement import Cite, Statement
 from verify.prover.outcome import Outcome
-from verify.wire.judge import judged
-from verify.wire.text import Page
-from verify.wire.text.read_page import read_page
+from verify.wire.judge import judged, packaged
+from verify.wire.packaged import became, packaged_files
+from verify.wire.read import cite_of, statement_of
+
+if TYPE_CHECKING:
+    from verify.wire.text import Page
+
+#: The folder of the pages, and how their files end.
+FOLDER, END = os.path.dirname(os.path.dirname(__file__)), ".toml"
+
+
+def names() -> list[str]:
+    """The names of all pages."""
+    return sorted(n.removesuffix(END) for n in os.listdir(FOLDER) if n.endswith(END))
+
+
+def content(name: str) -> bytes:
+    """The text of the page of this name."""
+    with open(os.path.join(FOLDER, name + END), "rb") as file:
+        return file.read()
 
 
 @cache
 def page(name: str) -> Page:
-    """The page of this name."""
-    content = files("verify.paper").joinpath(f"{name}.toml").read_bytes()
-    return read_page(f"verify/paper/{name}.toml", content)
+    """The page of this name, read now."""
+    from verify.wire.text.read_page import read_page  # loaded only where it is used
+
+    return read_page(f"verify/paper/{name}{END}", content(name))
 
 
 def argument(name: str) -> Argument:
-    """The statement of a page with its argument."""
+    """The statement of a page with its argument, read now."""
     return Argument(page(name).statement, page(name).chapters)
 
 
 @cache
 def decide(name: str) -> Outcome:
     """The theorem of a page, each line with the proof that the page names; the checker judges."""
-    return judged(write_down(argument(name)))
+    return judged(_written_down(name))
+
+
+def _written_down(name: str) -> Outcome:
+    from verify.prover.arguments import write_down  # loaded only where it is used
+
+    return write_down(argument(name))
+
+
+# --- without reading a page whose text has become what comes with the program ---------------------
+
+
+@cache
+def statement(name: str) -> Statement:
+    """What a page says.
+
+    Raises:
+        OwnError: if the files that came with the program were changed.
+    """
+    known = became(name, content(name))
+    return page(name).statement if known is None else statement_of(packaged_files(known)[0])
+
+
+@cache
+def accepted(name: str) -> Outcome:
+    """The theorem of a page; every verdict is the checker's of this run.
+
+    Raises:
+        OwnError: if the files that came with the program were changed, or the checker refuses them.
+    """
+    known = became(name, content(name))
+    return decide(name) if known is None else packaged(known, anew=True)
+
+
+@cache
+def cite(name: str) -> Cite:
+    """The theorem of a page, to be cited; whoever writes what cites it has both checked.
+
+    Raises:
+        OwnError: if the files that came with the program were changed.
+    """
+    known = became(name, content(name))
+    if known is not None:
+        return cite_of(*packaged_files(known))
+    from verify.wire.write import write  # loaded only where it is used
+
+    files = write(_written_down(name))
+    return cite_of(files["statement.json"], files["certificate.json"])

@@ -11,10 +11,9 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import cache
 
-from verify.language.argument import Argument
 from verify.language.statement import PROVED, Applies, Cite, Context, Obligation, Statement
 from verify.language.terms import Claim, Term
-from verify.paper.commands.pages import argument
+from verify.paper.commands.pages import cite, decide, statement
 from verify.prover import balls
 from verify.prover.arguments import write_down
 from verify.prover.decimals import enclosing_decimals, round_decimal
@@ -47,6 +46,7 @@ from verify.spheres.scene.telling import (
 )
 from verify.spheres.scene.verdict import scene_lines, theorems
 from verify.wire.judge import judged
+from verify.wire.read import cite_of
 from verify.wire.write import write
 
 #: Digits of the times in a certificate.
@@ -77,19 +77,15 @@ def decide_flow() -> Outcome:
 @cache
 def decide_line() -> Outcome:
     """The collapse of spheres on a line."""
-    return judged(write_down(argument("line")))
+    return decide("line")
 
 
 @cache
 def cited_context(name: str) -> Context:
     """The context that a scene applies, by the name by which it cites it."""
     theorem, _, context = name.partition(":")
-    return _cited(theorem).statement.context(context)
-
-
-def _cited(name: str) -> Argument:
-    """A theorem that a scene may cite."""
-    return flow() if name == FLOW else argument(PAGES[name])
+    found = flow().statement if theorem == FLOW else statement(PAGES[theorem])
+    return found.context(context)
 
 
 def tell(found: Fate) -> Telling:
@@ -193,10 +189,10 @@ def cites(found: Fate) -> list[Cite]:
 @cache
 def _cite(name: str) -> Cite:
     """What is claimed in a theorem, with its proof; whoever writes the scene has both checked."""
-    outcome = write_down(_cited(name))
-    files, trusted = write(outcome), outcome.assumptions
-    content, certificate = files["statement.json"], files["certificate.json"]
-    return Cite(name, outcome.statement.theorem, content, (), trusted, certificate)
+    if name != FLOW:
+        return cite(PAGES[name])._replace(name=name)
+    files = write(write_down(flow()))
+    return cite_of(files["statement.json"], files["certificate.json"])
 
 
 def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:

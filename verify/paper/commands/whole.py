@@ -5,7 +5,7 @@ from __future__ import annotations
 from importlib.resources import files
 
 from verify.language.statement import HYPOTHESES, NEEDED, REPAIRED
-from verify.paper.commands.pages import page
+from verify.paper.commands.pages import statement
 from verify.paper.everywhere.chart import DERIVED
 from verify.paper.step import MEANING, STEP
 from verify.paper.theorem1 import theorem
@@ -46,5 +46,5 @@ def whole() -> Whole:
     )
     text = files("verify").joinpath(COQ).read_text(encoding="utf-8")
     coq = text[text.index(FIRST) :].rstrip()
-    givens = tuple(page(STEP).statement.context("initial").claims.values())
+    givens = tuple(statement(STEP).context("initial").claims.values())
     return Whole(hypotheses, constants, givens, letters, coq)

@@ -169,16 +169,10 @@ def rows(here: Context, sharper: Statement) -> Iterator[Obligation]:
         Applies(f"{sharper.theorem}:{START}", at), uses, context=CONTEXT)  # fmt: skip
 
 
-def statement(
-    initial: Context, sharper: Statement, content: bytes, certificate: bytes
-) -> Statement:
-    """The statement, from the initial data of the step and the sharper theorem, which it cites.
-
-    The last two are the files of that theorem.
-    """
+def statement(initial: Context, sharper: Statement, cite: Cite) -> Statement:
+    """The statement, from the initial data of the step and the sharper theorem, which it cites."""
     space, here = chart.context(numbers.k), printed(initial)
     turned = numbers.turned(sharper.context(START))
     space = space._replace(constants=(*space.constants, *numbers.CONSTANTS, *turned))
-    name, claims = sharper.theorem, tuple(rows(here, sharper))
-    cite = Cite(name, name, content, (), sharper.assumptions, certificate)
+    claims = tuple(rows(here, sharper))
     return Statement(NAME, TITLE, {}, (), (space, here), claims, ASSUMPTIONS, (cite,))

@@ -157,18 +157,19 @@ class Places:
         for number, line in enumerate(self.lines, 1):
             header = re.match(r"\s*\[+([^\[\]]+)\]+\s*(#|$)", line)
             if header:
-                table = _keys(header[1])
+                table = keys_of(header[1])
                 here = table
             else:
                 match = re.match(r'\s*([A-Za-z0-9_."\'-]+(?:\s*\.\s*[A-Za-z0-9_"-]+)*)\s*=', line)
-                here = [*table, *_keys(match[1])] if match else []
+                here = [*table, *keys_of(match[1])] if match else []
             same = len(here) if here == keys[: len(here)] else 0
             if same > length:
                 best, length = number, same
         return best
 
 
-def _keys(text: str) -> list[str]:
+def keys_of(text: str) -> list[str]:
+    """The keys in a header, or before a `=`, some of them in quotes."""
     return [key.strip("\"' ") for key in re.findall(r'"[^"]*"|\'[^\']*\'|[^.]+', text)]
 
 

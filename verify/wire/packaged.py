@@ -98,11 +98,11 @@ PAGES = {
     ),
     "sandwich_above": (
         "outside",
-        "7c7d384ea72883eb10a66eeb40e2cf0289ec0d248be0cc7982def279ab087358",
+        "2f883aa856ec4d56788232dbb79d23a4c44b1ccdfbd57f0d7f34cdb9a51b9201",
     ),
     "sandwich_below": (
         "sandwich",
-        "0f60abfee58460fce23e2c737bf7e72b4f89d7f6e3b1e0750ebe4cd2477d1782",
+        "fd3cb6fdf4e94496bef5cb918c5756dc2f7299c8bc989c1f5d59aa83922757d6",
     ),
     "sections_1_to_4": (
         "elsewhere",
@@ -114,11 +114,11 @@ PAGES = {
     ),
     "sharper": (
         "sharper",
-        "2e1ccb9e8ec0e94be0b161c883a94709914d499e104b08454a3d79bfd4cc81b8",
+        "f3de07b00ea355674b5fecf167958410eb00fed1058d03917a45c8570fe43909",
     ),
     "step": (
         "step",
-        "4412e675a02b9e3e70b27f733843c3891a8f82166a48d03e450dbaac74d0de3e",
+        "01d55eec23bd5240fdb2f63c8029466a1b5b27121119d68694533edd3bbebfd3",
     ),
 }
 

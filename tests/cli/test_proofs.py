@@ -95,7 +95,7 @@ def test_explain(capsys: pytest.CaptureFixture[str]) -> None:
     assert (code, err) == (0, "")
     assert "goal + [d-sum-positive]·[Cnd1]·[S-one] = 0" in out
     assert "  0 < τ" in out
-    assert "tau-positive is written in verify/paper/dynamics/laws.py:" in out
+    assert "tau-positive is written in verify/paper/step.toml:" in out
     code, out, err = run(capsys, "explain", "no-such-row")
     assert (code, out) == (2, "")
     assert "'no-such-row'" in err

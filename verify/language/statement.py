@@ -110,6 +110,11 @@ class Context(Record):
     says: str = ""
     constants: tuple[Constant, ...] = ()
 
+    @property
+    def claims(self) -> dict[str, Claim]:
+        """What is given, by its names."""
+        return {given.name: given.claim for given in self.givens}
+
 
 class Applies(Record):
     """The claim that these values satisfy all givens of a context, so that its theorems hold."""
@@ -264,3 +269,12 @@ class Statement(Record):
     obligations: tuple[Obligation, ...]
     assumptions: tuple[Assumption, ...]
     cites: tuple[Cite, ...] = ()
+
+    def context(self, name: str) -> Context:
+        """The context of this name.
+
+        Raises:
+            ValueError: if there is none.
+        """
+        (found,) = (context for context in self.contexts if context.name == name)
+        return found

@@ -64,6 +64,10 @@ PACKAGED_FILES = {
         "statement.json": "c4a6b29d0fb22d2b4c1b93aef03e7f3b1df83d4922468a59103e03abd25083b9",
         "certificate.json": "641b74fbafa49f91669cdb7c294f79a1ffb796198fc1bde675d0138db20d7438",
     },
+    "outside": {
+        "statement.json": "5c9b97b7904e956200959e7a74a67b9b8ed478dbec6286276938d93f0f1a141c",
+        "certificate.json": "aa181b9d7644d9858063e895dabc816bd8dcc0b83e4dc027035255b1680d0864",
+    },
     "flow": {
         "statement.json": "63e41a57a263ab3bc26da25168946bcc4dbcc0661e77b674833aa1c073e32efd",
         "certificate.json": "a8a89c0d654ee10d935093008c06f9dc368db237fa56c46816deb8f0a043a38f",
@@ -72,11 +76,60 @@ PACKAGED_FILES = {
         "statement.json": "8240884d6bff9ab4d3d8c70114ee085dc1ef5ecbed7a8381895a083125bc43d6",
         "certificate.json": "3f2568497398c41a31aa9b3ebfd4452a6a7fd3f7ae25c86389432d982e0a77ce",
     },
+    "separatrix": {
+        "statement.json": "62a1f81ac3024b2a1e30d5d257908b85f86946db48cdd8a2e5b28041db533128",
+        "certificate.json": "a988e231b813396ebbc62e0b6d2e00dd254afc1cc1d2a537e049129e9dd44a44",
+    },
     AS_PRINTED: {
         "statement.json": "5c9a22d238e60320ab5e80a982eba34ca454f3ac39e3e63bc9f15dc32133b5d6",
         "certificate.json": "ee35f1c3fdaaa103f3ff4a8acb393b41e09011b63521182207ee3b3af16ad926",
     },
 }
+
+#: The pages of the paper: which of these each has become, and the digest of its text then.
+PAGES = {
+    "classification": (
+        "classification",
+        "4ceb3f8c7adbbe1090c38e6bdadc331cab304942097815d62fc6e78a19761f26",
+    ),
+    "line": (
+        "line",
+        "11173689f47e01152018119321d6a085f834d0e19a8c5ded89141920e4b48562",
+    ),
+    "sandwich_above": (
+        "outside",
+        "2f883aa856ec4d56788232dbb79d23a4c44b1ccdfbd57f0d7f34cdb9a51b9201",
+    ),
+    "sandwich_below": (
+        "sandwich",
+        "fd3cb6fdf4e94496bef5cb918c5756dc2f7299c8bc989c1f5d59aa83922757d6",
+    ),
+    "sections_1_to_4": (
+        "elsewhere",
+        "52ad972f33fad731ee351e3cdbc42f03a2b8bb977092b4b4f9a56fa8a4aba4ec",
+    ),
+    "separatrix": (
+        "separatrix",
+        "18d9bd3d0fb45c54a90f9c6a281478cce69e97235364b706fa3c99e08105f735",
+    ),
+    "sharper": (
+        "sharper",
+        "f3de07b00ea355674b5fecf167958410eb00fed1058d03917a45c8570fe43909",
+    ),
+    "step": (
+        "step",
+        "01d55eec23bd5240fdb2f63c8029466a1b5b27121119d68694533edd3bbebfd3",
+    ),
+}
+
+
+def became(page: str, text: bytes) -> str | None:
+    """The name of what this text of a page has become, if that comes with the program.
+
+    The digest is recorded only of a text that makes the very files: see `tests/bring.py`.
+    """
+    name, digest = PAGES.get(page, ("", ""))
+    return name if sha256(text).hexdigest() == digest else None
 
 
 def packaged_statements(digests: Iterable[str]) -> dict[str, bytes]:

@@ -82,6 +82,12 @@ def _ends(texts: Any) -> tuple[Fraction, Fraction]:
     return low, high
 
 
+def statement_of(content: bytes) -> Statement:
+    """The statement that a file is, which cites nothing."""
+    document = json.loads(content)
+    return read_statement(document, TermReader(document["terms"]), {})
+
+
 def read_statement(document: Any, reader: TermReader, cited: Mapping[str, bytes]) -> Statement:
     """The statement that a JSON value stands for."""
     return Statement(
@@ -104,6 +110,14 @@ def _cite(item: Any, cited: Mapping[str, bytes]) -> Cite:
     assumptions = tuple(Assumption(**entry) for entry in document["assumptions"])
     certificate = _certificate_of(digest, cited)
     return Cite(item["name"], item["theorem"], content, inner, assumptions, certificate)
+
+
+def cite_of(statement: bytes, certificate: bytes) -> Cite:
+    """The citation, under its theorem's name, of a statement that cites nothing itself."""
+    document = json.loads(statement)
+    theorem = document["theorem"]
+    assumptions = tuple(Assumption(**entry) for entry in document["assumptions"])
+    return Cite(theorem, theorem, statement, (), assumptions, certificate)
 
 
 def cites_of(cited: Mapping[str, bytes]) -> tuple[Cite, ...]:

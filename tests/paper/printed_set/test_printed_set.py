@@ -20,7 +20,7 @@ from verify.paper.commands.citing import as_printed
 from verify.paper.commands.printed_set import decide_printed_set, decide_printed_sign
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.printed_set import numbers, sign
-from verify.paper.step.initial import CONTEXT
+from verify.paper.printed_set.printed_set import CONTEXT
 from verify.prover.outcome import Outcome
 from verify.wire.judge import report_on
 from verify.wire.packaged import PACKAGED_FILES, PRINTED_SET, PRINTED_SIGN, packaged_files

@@ -23,7 +23,7 @@ from verify.paper.commands import (
     thresholds,
 )
 from verify.paper.parameters import THEOREM
-from verify.paper.step.numbers import STEP
+from verify.paper.step import STEP
 from verify.prover.outcome import Outcome
 from verify.spheres.scene.decide import UNDECIDED, decide_scene
 from verify.spheres.scene.scene_files import read_scene, scene_bytes

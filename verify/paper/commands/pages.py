@@ -1,56 +1,114 @@
-"""The pages of the paper, `verify/paper/NAME.toml`, read once per process."""
+"""The pages of the paper, `verify/paper/NAME.toml`: what each says, and its proof.
+
+A certificate of each comes with the program. Where the text of the page is the one from which it
+was made, its files are taken; after any change to the text the page is read.
+"""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from contextlib import suppress
 from functools import cache
-from importlib.resources import files
-from pathlib import Path
 
 from verify.language.argument import Argument
 from verify.language.errors import OwnError
-from verify.prover.arguments import proofs_in, write_down
+from verify.language.record import TYPE_CHECKING
+from verify.language.statement import Cite, Statement
 from verify.prover.outcome import Outcome
 from verify.prover.proof import Proof
-from verify.wire.judge import judged
-from verify.wire.packaged import PACKAGED
-from verify.wire.read import read
+from verify.wire.judge import judged, packaged
+from verify.wire.packaged import PAGES, became, packaged_files
+from verify.wire.read import cite_of, read, statement_of
 from verify.wire.term_json import WireError
-from verify.wire.text import Page
-from verify.wire.text.read_page import read_page
+
+if TYPE_CHECKING:
+    from verify.wire.text import Page
+
+#: The folder of the pages, and how their files end.
+FOLDER, END = os.path.dirname(os.path.dirname(__file__)), ".toml"
+
+
+def names() -> list[str]:
+    """The names of all pages."""
+    return sorted(n.removesuffix(END) for n in os.listdir(FOLDER) if n.endswith(END))
+
+
+def content(name: str) -> bytes:
+    """The text of the page of this name."""
+    with open(os.path.join(FOLDER, name + END), "rb") as file:
+        return file.read()
 
 
 @cache
 def page(name: str) -> Page:
-    """The page of this name."""
-    content = files("verify.paper").joinpath(f"{name}.toml").read_bytes()
-    return read_page(f"verify/paper/{name}.toml", content)
+    """The page of this name, read now."""
+    from verify.wire.text.read_page import read_page  # loaded only where it is used
+
+    return read_page(f"verify/paper/{name}{END}", content(name))
 
 
 def argument(name: str) -> Argument:
-    """The statement of a page with its argument."""
+    """The statement of a page with its argument, read now."""
     return Argument(page(name).statement, page(name).chapters)
 
 
 @cache
-def decide(name: str, folder: str) -> Outcome:
-    """The theorem of a page, each line proved by what it names; the checker judges.
+def decide(name: str) -> Outcome:
+    """The theorem of a page, each line proved by what it names; the checker judges."""
+    from verify.prover.arguments import write_down  # loaded only where it is used
 
-    Where a line has names only, the sum in the certificate at hand is tried first: that in
-    ``folder`` of `certificates`, or of what comes with the program.
-    """
-    with suppress(OwnError):  # it refuses what is at hand where the page was changed since then
-        return judged(write_down(argument(name), _at_hand(folder)))
+    with suppress(OwnError):  # what is at hand is refused where the page was changed since then
+        return judged(_written_down(name))
     return judged(write_down(argument(name)))
 
 
-def _at_hand(folder: str) -> Mapping[str, Proof]:
-    """The proofs in a certificate, if there is one at hand."""
-    for place in (PACKAGED, "certificates"):
-        both = [Path(place, folder, f"{kind}.json") for kind in ("statement", "certificate")]
-        if all(file.exists() for file in both):
-            statement, certificate = (file.read_bytes() for file in both)
-            with suppress(WireError):
-                return proofs_in(read(statement, certificate, {}))
-    return {}
+def _written_down(name: str) -> Outcome:
+    """Where a line has names only, the sum in the certificate at hand is tried first."""
+    from verify.prover.arguments import proofs_in, write_down  # loaded only where it is used
+
+    at_hand: Mapping[str, Proof] = {}
+    with suppress(OwnError, WireError):
+        at_hand = proofs_in(read(*packaged_files(PAGES[name]), {}))
+    return write_down(argument(name), at_hand)
+
+
+# --- without reading a page whose text has become what comes with the program ---------------------
+
+
+@cache
+def statement(name: str) -> Statement:
+    """What a page says.
+
+    Raises:
+        OwnError: if the files that came with the program were changed.
+    """
+    known = became(name, content(name))
+    return page(name).statement if known is None else statement_of(packaged_files(known)[0])
+
+
+@cache
+def accepted(name: str) -> Outcome:
+    """The theorem of a page; every verdict is the checker's of this run.
+
+    Raises:
+        OwnError: if the files that came with the program were changed, or the checker refuses them.
+    """
+    known = became(name, content(name))
+    return decide(name) if known is None else packaged(known, anew=True)
+
+
+@cache
+def cite(name: str) -> Cite:
+    """The theorem of a page, to be cited; whoever writes what cites it has both checked.
+
+    Raises:
+        OwnError: if the files that came with the program were changed.
+    """
+    known = became(name, content(name))
+    if known is not None:
+        return cite_of(*packaged_files(known))
+    from verify.wire.write import write  # loaded only where it is used
+
+    files = write(_written_down(name))
+    return cite_of(files["statement.json"], files["certificate.json"])

@@ -18,13 +18,13 @@ from verify.paper.commands.regenerate import is_right_when_accepted
 from verify.paper.commands.report_files import CertificateError, read_file, unusable
 from verify.paper.commands.report_maps import is_strip, log_names, read_map, read_strip, story
 from verify.paper.commands.scene import read_back
+from verify.paper.commands.separatrix import NAME as SEPARATRIX
 from verify.paper.commands.separatrix import stored_curve
 from verify.paper.commands.thresholds import all_shares, bands, decide_thresholds
 from verify.paper.commands.whole import whole
 from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
 from verify.paper.glossary import LETTERS
 from verify.paper.parameters import PRINTED, REPAIRED, THEOREM
-from verify.paper.separatrix.theorem import NAME as SEPARATRIX
 from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
 from verify.views.material import (

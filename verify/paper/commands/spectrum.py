@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from verify.language.statement import PROVED, Cite, Statement
-from verify.paper.classification.classification import ASSUMPTIONS, NAME
+from verify.language.statement import PROVED, Statement
 from verify.paper.spectrum.printed import Printed
 from verify.paper.spectrum.spectrum import statement
 from verify.paper.spectrum.zhou_kadanoff import CITED, PREMISES
@@ -15,6 +14,7 @@ from verify.prover.prove import prove
 from verify.prover.rules import Applying
 from verify.wire.judge import judged, known
 from verify.wire.packaged import packaged_files
+from verify.wire.read import cite_of
 
 #: Its name among the certificates that come with the program.
 SPECTRUM = "spectrum"
@@ -25,8 +25,7 @@ MAX_BITS = 1024
 
 def state_spectrum(paper: Printed | None = None) -> Statement:
     """What is claimed, before it is decided; it cites the classification of this program."""
-    stated, certificate = packaged_files(NAME)
-    return statement(Cite(NAME, NAME, stated, (), ASSUMPTIONS, certificate), paper)
+    return statement(cite_of(*packaged_files("classification")), paper)
 
 
 def cite_spectrum() -> Outcome:

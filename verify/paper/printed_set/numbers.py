@@ -21,12 +21,11 @@ from verify.language.argument import (
     scaled,
     times,
 )
-from verify.language.statement import Constant
+from verify.language.statement import Constant, Context
 from verify.language.terms import Claim, Term, as_term, equal, substitute, substitute_claim, symbol
 from verify.paper.everywhere.chart import HALF, PLUS_R, hypothesis, v
 from verify.paper.initial_data import X_0, ConstantSet, alpha_0, delta_2, h_5, phi_minus, phi_plus
 from verify.paper.parameters import PRINTED, THEOREM, V_0, c, delta_theta, r
-from verify.paper.sharper import state as sharper
 
 k = ConstantSet(PRINTED)
 X, ratio, least, T, Theta = map(symbol, ("x_most", "ratio", "least_ratio", "T", "Theta"))
@@ -67,16 +66,20 @@ TURNS = ("turn_1", "turn_2", "turn_3")
 turn_1, turn_2, turn_3 = map(symbol, TURNS)
 
 
-def turn(name: str) -> Term:
-    """The factor of a power of -eta_c in what the angle turns."""
-    return substitute(sharper.SUMS[name].term, MEANING)
+def turned(start: Context) -> tuple[Constant, ...]:
+    """What the angle turns for each power of -eta_c; these are known later.
+
+    The start is that of the sharper theorem.
+    """
+    terms = {constant.name: constant.term for constant in start.constants}
+    return tuple(
+        Constant(name, f"G{sign}", f"G_{i}", THEOREM, substitute(terms[name], MEANING))
+        for i, (name, sign) in enumerate(zip(TURNS, "₁₂₃", strict=True), 1)
+    )
 
 
-#: What the angle turns for each power of -eta_c; these are known later.
-TURNED = tuple(
-    Constant(name, f"G{sign}", f"G_{i}", THEOREM, turn(name))
-    for i, (name, sign) in enumerate(zip(TURNS, "₁₂₃", strict=True), 1)
-)
+#: How far -cos theta can turn while -eta_c falls from eta_bar to 0.
+ALL_TURNS = turn_1 * k.eta_bar + turn_2 * k.eta_bar**2 + turn_3 * k.eta_bar**3
 
 
 def of(name: str) -> str:
@@ -87,12 +90,18 @@ def of(name: str) -> str:
 ZETA, ETA, V = of("zeta_bar-positive"), of("eta_bar-positive"), "v-positive"
 
 
-def room() -> Iterator[Line]:
+def asked(start: Context) -> tuple[dict[str, Claim], dict[str, Claim]]:
+    """What the sharper theorem asks of the numbers, and what it asks of the state."""
+    claims = {name: substitute_claim(claim, MEANING) for name, claim in start.claims.items()}
+    state = {name: claim for name, claim in claims.items() if name.startswith("start-")}
+    return {name: claims[name] for name in claims if name not in state}, state
+
+
+def room(start: Context) -> Iterator[Line]:
     """What the sharper theorem asks of the numbers."""
     yield from _sizes()
-    for name, claim in sharper.ROOM.items():
-        reason = _ROOM.get(name, ToBeFound())
-        yield Line(f"room-{name}", substitute_claim(claim, MEANING), reason)
+    for name, claim in asked(start)[0].items():
+        yield Line(f"room-{name}", claim, _ROOM.get(name, ToBeFound()))
 
 
 def conclusions() -> Iterator[Line]:
@@ -177,13 +186,8 @@ def _turning() -> Iterator[Line]:
     left = plus(times(V, "eta-small"), times(V, V, Fraction(1, 10) - both - both**2),
                 times("eta-small", plus(ETA, times(both, V))))  # fmt: skip
     yield from (
-        Line("turned-most", sharper.total(k.eta_bar) <= Theta - SLACK,
+        Line("turned-most", ALL_TURNS <= Theta - SLACK,
             scaled(times(power(V, 3), "goal"), *turned, times(power(ETA, 3), "turn_3-most"),
                    times(ZETA, ETA, left))._replace(
                 equations=(("Theta-is", as_term(5) / 6 * v**2),))),
     )  # fmt: skip
-
-
-def entry() -> Mapping[str, Claim]:
-    """What the sharper theorem asks of the state."""
-    return {name: substitute_claim(claim, MEANING) for name, claim in sharper.ENTRY.items()}

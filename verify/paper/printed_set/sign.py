@@ -36,9 +36,6 @@ from verify.language.statement import (
     Variable,
 )
 from verify.language.terms import as_term, equal, sqrt, symbol
-from verify.paper.classification.classification import ASSUMPTIONS as CITED
-from verify.paper.classification.classification import NAME as CLASSIFICATION
-from verify.paper.classification.comparison import c as final
 from verify.paper.hypotheses import ANGLE, RESTITUTION
 from verify.paper.parameters import THEOREM, c, delta_theta, r
 
@@ -96,17 +93,16 @@ def contexts() -> tuple[Context, Context]:
 
 
 @cache
-def sign(statement: bytes, certificate: bytes) -> Argument:
-    """The statement and its argument; it cites the classification."""
+def sign(classification: Cite) -> Argument:
+    """The statement and its argument, with the classification that it cites."""
     found = argue(NAME, TITLE, _chapters(), (GLUE,))
     row = Obligation(COLLAPSE, NAME, THEOREM, NEEDED,
         "-cos of a final angle that is within δ_θ of -cos θ₀ is below 4√r/(1+r): theorem II "
-        "excludes the collapse", Applies(f"{CLASSIFICATION}:{final.context}",
-        final.at(s=sqrt(r), C=C)), (GLUE.name,), context=EXCLUDED)  # fmt: skip
-    cite = Cite(CLASSIFICATION, CLASSIFICATION, statement, (), CITED, certificate)
+        "excludes the collapse", Applies(f"{classification.name}:final",
+        {"final.s": sqrt(r), "final.C": C}), (GLUE.name,), context=EXCLUDED)  # fmt: skip
     old = found.statement
     rows = (*at_the_point(), *old.obligations, row)
-    return found._replace(statement=old._replace(obligations=rows, cites=(cite,)))
+    return found._replace(statement=old._replace(obligations=rows, cites=(classification,)))
 
 
 #: Why the row that cites the classification holds: its givens in order.

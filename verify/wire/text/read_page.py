@@ -168,14 +168,15 @@ class Places:
         for number, line in enumerate(self.lines, 1):
             header = re.match(r"\s*\[+([^\[\]]+)\]+\s*(#|$)", line)
             if header:
-                table = _keys(header[1])
+                table = keys_of(header[1])
                 found.setdefault(tuple(table), number)
             elif match := _KEY_IN_LINE.match(line):
-                found.setdefault((*table, *_keys(match[1])), number)
+                found.setdefault((*table, *keys_of(match[1])), number)
         return found
 
 
-def _keys(text: str) -> list[str]:
+def keys_of(text: str) -> list[str]:
+    """The keys in a header, or before a `=`, some of them in quotes."""
     return [key.strip("\"' ") for key in re.findall(r'"[^"]*"|\'[^\']*\'|[^.]+', text)]
 
 

@@ -1,4 +1,4 @@
-"""What the theorems mean for the text: remarks at its labels."""
+"""What the theorems of the classification mean for the text: remarks at its labels."""
 
 from __future__ import annotations
 

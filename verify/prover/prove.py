@@ -248,7 +248,8 @@ def _tried(row: Obligation, universal: Universal, price: Price) -> Decision:
 
 def _reason(found: Decision, row: Obligation, universal: Universal) -> str:
     """Why a row is undecided: what was tried, and where it is open."""
-    if isinstance(row.claim, Claim) and row.context in universal.contexts:
+    in_context = isinstance(row.claim, Claim) and row.context in universal.contexts
+    if isinstance(row.claim, Claim) and in_context and not universal.budget.is_over:
         spent = universal.budget.spent
         universal.reasons |= dict.fromkeys(without_value(row.claim, universal.valueless))
         universal.budget.refill()

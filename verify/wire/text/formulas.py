@@ -161,7 +161,8 @@ def _over_pi(term: Term) -> Term | None:
         return None
     if term.op == "mul":
         left, right = term.children
-        for factor, other in ((left, right), (right, left)):
+        pairs: tuple[tuple[Term, Term], ...] = ((left, right), (right, left))
+        for factor, other in pairs:
             found = _over_pi(factor)
             if found is not None:
                 return other if found is as_term(1) else found * other

@@ -769,19 +769,30 @@ class Reader:
             self._hint(keys, new, table)
 
     def _hint(self, keys: Sequence[str], row: str, table: Mapping[str, Any]) -> None:
-        by = self.texts([*keys, "by"], table.get("by", []))
+        texts = self.texts([*keys, "by"], table.get("by", []))
+        by = tuple(word for text in texts for word in text.split())
         using = None if "using" not in table else self.texts([*keys, "using"], table["using"])
+        facts = self._facts_before(row)
+        if by and all(word in facts for word in by):
+            self.hints[row] = Hint((), (*by, *(using or ())), follows=True)
+            return
         if by:
             from verify.prover.techniques import TECHNIQUES  # loaded only where it is used
 
-            for word in by:
-                if not any(word in name for name in TECHNIQUES):
-                    instead = nearest(word, TECHNIQUES, f"write words of {', '.join(TECHNIQUES)}")
-                    raise self.places.error(
-                        [*keys, "by"], f"{shown(word)} is no technique; {instead}"
-                    )
+            for text in texts:
+                if not any(text in name for name in TECHNIQUES):
+                    known = [*facts, *TECHNIQUES]
+                    instead = nearest(text, known, "write names of givens and of earlier rows")
+                    what = f"{shown(text)} is no fact before it, and no technique; {instead}"
+                    raise self.places.error([*keys, "by"], what)
         if by or using is not None:
-            self.hints[row] = Hint(by, using)
+            self.hints[row] = Hint(texts, using)
+
+    def _facts_before(self, row: str) -> list[str]:
+        """The names of what is given, and of the rows before one."""
+        givens = [given.name for context in self.contexts.values() for given in context.givens]
+        rows = [*self.rows]
+        return [*givens, *rows[: rows.index(row)]]
 
     def _compared(
         self, keys: Sequence[str], value: object, home: str | None
@@ -859,16 +870,14 @@ class Reader:
         }
 
     def _known_rows(self) -> None:
-        """Afterwards the hints name earlier rows."""
-        rows = list(self.rows)
+        """Afterwards the hints name what stands before their rows."""
         for row, hint in self.hints.items():
-            earlier = rows[: rows.index(row)]
+            earlier = self._facts_before(row)
             for name in hint.using or ():
                 if name not in earlier:
-                    instead = nearest(name, earlier, "write names of rows before it")
-                    raise self.places.error(
-                        ["rows", row, "using"], f"{shown(name)} is no earlier row; {instead}"
-                    )
+                    instead = nearest(name, earlier, "write names of givens, or of rows before it")
+                    what = f"{shown(name)} is no given, and no earlier row; {instead}"
+                    raise self.places.error(["rows", row, "using"], what)
 
 
 _KINDS = ("plain", "carried", "standing")

@@ -17,7 +17,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from verify.language.argument import (
     ByApplying,
@@ -42,9 +42,7 @@ from verify.language.terms import Claim, Term, names_of, substitute_claim
 from verify.wire.inputs import nearest, shown
 from verify.wire.text.by import Facts, read_by
 from verify.wire.text.infix import read_term
-
-if TYPE_CHECKING:
-    from verify.wire.text.read_page import Reader
+from verify.wire.text.page_tables import Reader
 
 CHAPTER = ("in", "group", "label", "says", "uses", "let", "at", "by", "rows")
 LINE = (
@@ -59,6 +57,11 @@ RULES = ("entry", "root", "interval")
 AT = re.compile(r"\s*([A-Za-z][A-Za-z0-9_.:-]*)\s+at\s+([A-Za-z][A-Za-z0-9_-]*)\s*")
 
 Keys = Sequence[str]
+
+
+def read_chapters(page: Reader, value: object) -> tuple[Chapter, ...]:
+    """The chapters of a page whose contexts have been read."""
+    return Lines(page).chapters(value)
 
 
 class Lines:

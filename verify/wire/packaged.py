@@ -90,7 +90,7 @@ PACKAGED_FILES = {
 PAGES = {
     "classification": (
         "classification",
-        "4ceb3f8c7adbbe1090c38e6bdadc331cab304942097815d62fc6e78a19761f26",
+        "a869f75351f066117dcc552708aef24e8e99eec4aab5f0e5c6b4bb4326a1098c",
     ),
     "line": (
         "line",
@@ -106,11 +106,11 @@ PAGES = {
     ),
     "sections_1_to_4": (
         "elsewhere",
-        "52ad972f33fad731ee351e3cdbc42f03a2b8bb977092b4b4f9a56fa8a4aba4ec",
+        "d02ae79e4c4a957a9efccb531b192110c7441d500f9e26f522c4992f16dee8d0",
     ),
     "separatrix": (
         "separatrix",
-        "18d9bd3d0fb45c54a90f9c6a281478cce69e97235364b706fa3c99e08105f735",
+        "bfe9e5850eefa900af267a870767c3face76168d40b93a5b566f3ea8871a4360",
     ),
     "sharper": (
         "sharper",

@@ -473,13 +473,18 @@ class _Reader:
     def _dot(self) -> Term:
         """The rest of ``dot(x, z)``."""
         if not self.names.gram:
-            raise self.error("no inner products are known here; write gram in its context")
+            raise self.error(
+                "no inner products are known here; write gram or products in its context"
+            )
         x = self._vector()
         if not self.take(","):
             raise self.error("an inner product is of two vectors; write dot(x, z)")
         z = self._vector()
         self.expect(")")
-        return dot(self.names.gram, x, z)
+        try:
+            return dot(self.names.gram, x, z)
+        except ValueError as error:
+            raise self.error(str(error)) from error
 
     def _vector(self) -> Combination:
         """A combination of vectors, up to the comma or the parenthesis after it."""

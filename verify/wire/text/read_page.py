@@ -48,7 +48,7 @@ from verify.wire.text.letters import letter_of, name_of, tex_of
 from verify.wire.text.points import a_point, estimate
 from verify.wire.text.read_lines import Lines
 from verify.wire.text.roots import isolated
-from verify.wire.text.vectors import Gram, gram_of
+from verify.wire.text.vectors import Gram, gram_of, products_of
 
 #: What may stand in a page, and in its tables.
 TOP = (
@@ -70,7 +70,7 @@ CONTEXT = (
         "constants",
         "rows",
     ),
-    *("root", "between", "states", "by", "gram", "vectors", "granted_by", "label"),
+    *("root", "between", "states", "by", "gram", "products", "vectors", "granted_by", "label"),
 )
 GIVEN = ("claim", "kind", "assumption")
 ROW = (
@@ -235,7 +235,7 @@ class Scope:
         """Vectors of a context, some by their inner products, others as combinations of these."""
         self._inside.clear()
         self.grams[home] = gram
-        self.vectors[home] = {name: None for name, _ in gram} | dict(vectors)
+        self.vectors[home] = {name: None for pair in gram for name in pair} | dict(vectors)
 
     def _without_context(self, context: str | None) -> dict[str, str]:
         """In a context ``ball`` one may write ``x`` for ``ball.x``, where nothing else is ``x``."""
@@ -516,7 +516,7 @@ class Reader:
         self.scope.open(name, parent)
         names = self._variables(keys, table, name)
         self.let([*keys, "let"], table.get("let", {}), name)
-        if "gram" in table:
+        if "gram" in table or "products" in table:
             self._vectors(keys, table, name)
         if "root" in table:
             self._root(keys, name, table, names)
@@ -559,18 +559,21 @@ class Reader:
 
     def _vectors(self, keys: Sequence[str], table: Mapping[str, Any], home: str) -> None:
         """The vectors of a context, of which the inner products of some are known."""
-        place, inside = [*keys, "gram"], self.scope.inside(home)
-        rows = {
+        kinds = [kind for kind in ("gram", "products") if kind in table]
+        place, inside = [*keys, kinds[0]], self.scope.inside(home)
+        if len(kinds) > 1:
+            raise self.places.error(place, "products stand there, too; write one of the two")
+        known = {
             name: [
                 self.term([*place, name], text, inside)
                 for text in _at_commas(self.text(place, row))
             ]
-            for name, row in self.table(place, table["gram"]).items()
+            for name, row in self.table(place, table[kinds[0]]).items()
         }
         vectors = self.table([*keys, "vectors"], table.get("vectors", {}))
         texts = {name: self.text([*keys, "vectors", name], text) for name, text in vectors.items()}
         try:
-            self.scope.span(home, gram_of(rows), texts)
+            self.scope.span(home, (gram_of if kinds == ["gram"] else products_of)(known), texts)
         except ValueError as error:
             raise self.places.error(place, str(error)) from error
 

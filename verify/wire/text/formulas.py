@@ -160,6 +160,8 @@ def _over_pi(term: Term) -> Term | None:
     if term.op not in ("mul", "div", "neg"):
         return None
     if term.op == "mul":
+        left: Term
+        right: Term
         left, right = term.children
         for factor, other in ((left, right), (right, left)):
             found = _over_pi(factor)

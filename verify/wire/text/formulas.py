@@ -160,6 +160,8 @@ def _over_pi(term: Term) -> Term | None:
     if term.op not in ("mul", "div", "neg"):
         return None
     if term.op == "mul":
+        left: Term
+        right: Term
         left, right = term.children
         pairs: tuple[tuple[Term, Term], ...] = ((left, right), (right, left))
         for factor, other in pairs:

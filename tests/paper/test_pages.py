@@ -10,6 +10,8 @@ import pytest
 from verify.cli import main
 from verify.language.statement import PROVED
 from verify.paper.commands import pages
+from verify.prover.arguments import write_down
+from verify.wire.judge import judged
 from verify.wire.packaged import PAGES, became
 from verify.wire.text import Page
 from verify.wire.write import write
@@ -79,3 +81,9 @@ def test_a_changed_page_is_read(function: Any, monkeypatch: pytest.MonkeyPatch) 
     pages.page.cache_clear()
     pages.decide.cache_clear()
     function.cache_clear()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_page_is_proved_without_its_certificate(name: str) -> None:
+    """Where a line has names only, the sum is found, and the checker accepts it."""
+    assert judged(write_down(pages.argument(name))).verdict == PROVED

@@ -90,35 +90,35 @@ PACKAGED_FILES = {
 PAGES = {
     "classification": (
         "classification",
-        "a869f75351f066117dcc552708aef24e8e99eec4aab5f0e5c6b4bb4326a1098c",
+        "9e15a4313b855ed5e2b25e3b0f9bd0d5414074ee70bc7dad295bbcb036f370eb",
     ),
     "line": (
         "line",
-        "11173689f47e01152018119321d6a085f834d0e19a8c5ded89141920e4b48562",
+        "928dc7410896cca46bb968e03e2661aa0266bd4db760927a1c7184f37a159043",
     ),
     "sandwich_above": (
         "outside",
-        "2f883aa856ec4d56788232dbb79d23a4c44b1ccdfbd57f0d7f34cdb9a51b9201",
+        "0fc5b3ad651103e0ac5a4033d289112bf56c3cb3095efee04cfa6813bb905b52",
     ),
     "sandwich_below": (
         "sandwich",
-        "fd3cb6fdf4e94496bef5cb918c5756dc2f7299c8bc989c1f5d59aa83922757d6",
+        "c12298705b271b6598de93c741c9953e5d17b56f5b8d950f13c21d35873b8e7b",
     ),
     "sections_1_to_4": (
         "elsewhere",
-        "d02ae79e4c4a957a9efccb531b192110c7441d500f9e26f522c4992f16dee8d0",
+        "db8a0d8255641f6a87d3ad9f34a46fa59d23d09b0cc147edc36293a72e99f820",
     ),
     "separatrix": (
         "separatrix",
-        "bfe9e5850eefa900af267a870767c3face76168d40b93a5b566f3ea8871a4360",
+        "2cfe7a2d29dc9e7128c7e34efdfe9e2de8f3dcf6bc17ef046bfe7314292967c3",
     ),
     "sharper": (
         "sharper",
-        "f3de07b00ea355674b5fecf167958410eb00fed1058d03917a45c8570fe43909",
+        "d2c894a4aeaf6f75e19c5fca8fffd7963b721e270606e6c485eddcc3942862b6",
     ),
     "step": (
         "step",
-        "01d55eec23bd5240fdb2f63c8029466a1b5b27121119d68694533edd3bbebfd3",
+        "fbc3dde261e2ba847277cf9f9c52da0128d16001edf4ca978e3f704e62af7baf",
     ),
 }
 

@@ -82,22 +82,19 @@ class _Attempt:
         squared = [value[1] for value in known.squares]
         terms: list[Any] = [*sides, *squared]
         self.clearing = Clearing(terms, replaced, known.is_negative, MAX_EXPANDED)
-        self.goal = self._difference(claim.lhs, claim.rhs)
+        self.goal = self.clearing.difference(claim.lhs, claim.rhs)
         self.equations: dict[str, fmpq_mpoly] = {}
         self.facts: list[Product] = []
         for name, c in known.claims.items():
             if c.relation != "=":
-                self._add(name, self._difference(c.rhs, c.lhs), c.relation == "<")
+                self._add(name, self.clearing.difference(c.rhs, c.lhs), c.relation == "<")
             elif name not in using:
-                polynomial = self._difference(c.lhs, c.rhs)
+                polynomial = self.clearing.difference(c.lhs, c.rhs)
                 if not polynomial.is_zero():
                     self.equations[name] = polynomial
         for value in known.squares:
             numerator, _ = self.clearing.clear(value[1])  # type: ignore[arg-type]
-            self._add(value, self.clearing.reduce(numerator * numerator), strict=False)
-
-    def _difference(self, lhs: Term, rhs: Term) -> fmpq_mpoly:
-        return self.clearing.reduce(self.clearing.difference(lhs, rhs))
+            self._add(value, numerator * numerator, strict=False)
 
     def _add(self, value: Value, polynomial: fmpq_mpoly, strict: bool) -> None:
         if not polynomial.is_constant():
@@ -106,7 +103,8 @@ class _Attempt:
     def found(self) -> Sum | None:
         """The sum of products of the smallest degree."""
         if self.claim.relation == "=":
-            return Sum((), self.using) if self.goal.is_zero() else self._identity()
+            (goal,) = self.clearing.reduced([self.goal])
+            return Sum((), self.using) if goal.is_zero() else self._identity()
         for degree in range(MAX_DEGREE + 1):
             products = [*self._products(degree)]
             if len(products) > MAX_COLUMNS:
@@ -131,12 +129,15 @@ class _Attempt:
             polynomial = polynomial * factor.polynomial
         values = tuple(value for factor in factors for value in factor.factors)
         strict = all(factor.strict for factor in factors)
-        return Product(values, self.clearing.reduce(polynomial), strict)
+        return Product(values, polynomial, strict)
 
     def _sum(self, products: list[Product]) -> Sum | None:
-        parts = [_parts(product.polynomial) for product in products]
-        multiples = [*self._multiples({m for part in parts for m in part})]
-        free = [_parts(polynomial) for _, _, polynomial in multiples]
+        plain = [product.polynomial for product in products]
+        present = {m for p in (*plain, *self.clearing.reduced(plain)) for m in _parts(p)}
+        multiples = [*self._multiples(present)]
+        both = self.clearing.reduced([*plain, *(p for _, _, p in multiples)])
+        every = [*map(_parts, both)]
+        parts, free = every[: len(plain)], every[len(plain) :]
         kept = useful(parts, free)
         if not any(products[i].strict for i in kept):
             return None
@@ -181,7 +182,7 @@ class _Attempt:
                     return
                 self.budget.spend(PRODUCT)
                 cofactor = self.clearing.context.from_dict({quotient: fmpq(1)})
-                yield name, cofactor, self.clearing.reduce(equation * cofactor)
+                yield name, cofactor, equation * cofactor
 
     def _cofactors(
         self, multiples: Sequence[tuple[str, fmpq_mpoly, fmpq_mpoly]], shares: Sequence[fmpq]
@@ -198,14 +199,16 @@ class _Attempt:
         multiples: list[tuple[str, fmpq_mpoly, fmpq_mpoly]] = []
         for _ in range(3):
             multiples = [*self._multiples(present)]
-            present |= {m for _, _, polynomial in multiples for m in _parts(polynomial)}
+            both = self.clearing.reduced([self.goal, *(p for _, _, p in multiples)])
+            present |= {m for p in (*both, *(p for _, _, p in multiples)) for m in _parts(p)}
+        goal, *others = map(_parts, both)
         rows: dict[Monomial, int] = {}
 
         def column(part: Parts) -> dict[int, fmpq]:
             return {rows.setdefault(m, len(rows)): c for m, c in part.items()}
 
-        free = [column(_parts(polynomial)) for _, _, polynomial in multiples]
-        found = solution([], free, column(_parts(self.goal)), self.budget)
+        free = [column(part) for part in others]
+        found = solution([], free, column(goal), self.budget)
         if found is None:
             return None
         return Sum((), self.using, self._cofactors(multiples, found[1]))

@@ -106,7 +106,6 @@ DECIDED = (
 #: Commands that print no verdict.
 SILENT = {
     "bench": "speeds and errors; its verdicts are those of plain doubles, called wrong",
-    "completion": "names of commands and options",
 }
 
 

@@ -34,7 +34,6 @@ COMMANDS = {
     "stress": "run the numerically hard cases",
     "report": "write the report: a page with plots, its Markdown twin, a LaTeX table",
     "certify": "make the committed certificates anew, or compare them",
-    "completion": "print a script that completes commands and options in a shell",
 }
 
 #: How the names of files end that a command may be asked about.

@@ -16,9 +16,9 @@ from verify.cli import COMMANDS
 
 ROOT = Path(__file__).resolve().parent.parent
 #: A package of the index by the name of its module, where these differ.
-PACKAGES = {"z3": "z3-solver", "flint": "python-flint"}
+PACKAGES = {"flint": "python-flint"}
 #: What only an option needs that says so in a line: the module and its extra.
-HEAVY = {"distributed": "dask", "z3": "peers", "cvc5": "peers"}
+HEAVY = {"distributed": "dask"}
 
 
 def imported() -> set[str]:

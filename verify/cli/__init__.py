@@ -32,7 +32,7 @@ COMMANDS = {
     "export": "write a certificate for Coq, or its statement as a page",
     "bench": "measure speed against error",
     "stress": "run the numerically hard cases",
-    "report": "write the report: a page with plots, its Markdown twin, a LaTeX table",
+    "report": "write the report: pages with plots, and a LaTeX table",
     "certify": "make the committed certificates anew, or compare them",
 }
 

@@ -1,4 +1,4 @@
-"""The files of the report: one template says it all, as pages in HTML and as one in Markdown."""
+"""The files of the report: one template says it all, page by page."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ from verify.views.plots.letters import letters_drawing
 from verify.views.plots.shapes import Figure, Panel
 from verify.views.point import in_numbers, place
 from verify.views.screen import causes
-from verify.views.setting import TEMPLATES, in_html, in_markdown
+from verify.views.setting import TEMPLATES, in_html
 
 TITLE = "Three particles collapse: what is proved"
 #: The style sheet of all pages, with their font.
@@ -84,11 +84,10 @@ def files(material: Material, *, draw: bool) -> dict[str, bytes]:
     found = _content(material) | {"pictures": pictures, "drawn": drawn}
     parts = list(_parts(found))
     found |= {"contents": [part for part in parts if part.short], "STYLE": STYLE}
-    pages = {part.file: in_html("page.j2", found | {"parts": [part]}, FILTERS) for part in parts}
+    pages = {part.file: in_html("page.j2", found | {"part": part}, FILTERS) for part in parts}
     return {
         **{name: content.encode() for name, content in joined(pages, draw).items()},
         STYLE: style().encode(),
-        "index.md": in_markdown("page.j2", found | {"parts": parts}, FILTERS).encode(),
         "constants.tex": found["latex"].encode(),
         **made,
     }

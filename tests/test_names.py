@@ -41,7 +41,7 @@ SHARED = {
 
 #: A subject has one name in every room: its command, its job, its views, its part of the paper.
 SUBJECTS = {
-    *("bench", "check", "everywhere", "explain", "graph", "report", "spectrum", "stress"),
+    *("bench", "check", "everywhere", "explain", "report", "spectrum", "stress"),
     *("theorem1", "parameters", "box", "scene", "sharper", "slack", "classification", "numbering"),
     *("thresholds", "elsewhere", "map", "prove", "separatrix"),
 }

@@ -1,4 +1,4 @@
-"""The commands that show proofs: `theorem1 --all`, `explain`, `graph`."""
+"""The commands that show proofs: `theorem1 --all`, `explain`."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ import re
 import shutil
 from collections import defaultdict
 from pathlib import Path
-from xml.etree import ElementTree
 
 import pytest
 
@@ -20,7 +19,6 @@ from verify.paper.source import PAPER
 from verify.prover.outcome import CHECKER
 from verify.prover.rules import RULES, Sum
 from verify.prover.uses import nodes
-from verify.views import graph as view
 from verify.views.explain import explain
 from verify.wire.judge import SHIPPED
 
@@ -320,16 +318,11 @@ QUICK = ("flow", "sharper", "step-printed", "certificates/examples/induction-sta
 
 
 @pytest.mark.parametrize("where", QUICK)
-def test_every_fact_can_be_explained_and_drawn(where: str) -> None:
+def test_every_fact_can_be_explained(where: str) -> None:
     outcome = outcome_of(where)
     for name in [*nodes(outcome)][::5]:
         assert explain(outcome, name, PAPER), name
     assert all(explain(outcome, row.name, PAPER) for row, _ in outcome.rows)
-    found = view.graph(outcome)
-    names = {vertex.name for vertex in found.vertices}
-    assert len(names) == len(found.vertices) > 1
-    assert all(name in names for edge in found.edges for name in edge)
-    ElementTree.fromstring(view.to_svg(found))
 
 
 @pytest.mark.parametrize("proofs", RULES)
@@ -354,33 +347,6 @@ def test_a_row_that_is_left_open_has_no_proof() -> None:
     assert "  undecided, so that there is no proof" in explain(changed, name, PAPER)
 
 
-@pytest.mark.parametrize("ending", ["svg", "dot", "json"])
-def test_graph(ending: str, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    path = tmp_path / f"proof.{ending}"
-    code, out, err = run(capsys, "graph", "--out", path)
-    assert (code, err, out.startswith("written ")) == (0, "", True)
-    text = path.read_text(encoding="utf-8")
-    if ending == "svg":
-        ElementTree.fromstring(text)
-    if ending == "json":
-        found = json.loads(text)
-        names = {vertex["name"] for vertex in found["vertices"]}
-        assert all(name in names for edge in found["edges"] for name in edge)
-
-
-@pytest.mark.parametrize("words", [("--out", "x.pdf"), ("nowhere", "--out", "x.svg")])
-def test_unusable_graphs(
-    words: tuple[str, ...],
-    capsys: pytest.CaptureFixture[str],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    code, out, err = run(capsys, "graph", *words)
-    assert (code, out, err.count("\n")) == (2, "", 1)
-    assert not list(tmp_path.iterdir())
-
-
 def test_a_proof_uses_only_what_was_proved_before() -> None:
     for outcome in (step.decide_step(), everywhere.decide_everywhere()):
         seen: set[str] = set()
@@ -388,13 +354,10 @@ def test_a_proof_uses_only_what_was_proved_before() -> None:
             unknown = [name for name in node.uses if name not in seen and ":" not in name]
             assert unknown == [] or node.kind == "given", (node.name, unknown)
             seen.add(node.name)
-    found = view.graph(step.decide_step())
-    assert {vertex.state for vertex in found.vertices} >= {"given", "proved", "assumed"}
 
 
-@pytest.mark.parametrize("command", [["explain", "FOLDER", "means"], ["graph", "FOLDER"]])
 def test_nothing_is_shown_of_a_folder_whose_cited_certificate_is_refused(
-    command: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """`verify check` refuses such a folder, so no other command calls its rows proved."""
     folder = tmp_path / "mean-applied"
@@ -405,8 +368,6 @@ def test_nothing_is_shown_of_a_folder_whose_cited_certificate_is_refused(
         proof["addends"] = ["goal"]
     path.write_text(json.dumps(proofs))
     assert run(capsys, "check", folder)[0] == 1
-    words = [str(folder) if word == "FOLDER" else word for word in command]
-    out = ["--out", str(tmp_path / "graph.json")] if command[0] == "graph" else []
-    code, text, complaint = run(capsys, *words, *out)
+    code, text, complaint = run(capsys, "explain", folder, "means")
     assert (code, text) == (2, "")
     assert "verify/check.py refuses the certificate" in complaint

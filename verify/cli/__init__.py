@@ -27,7 +27,6 @@ COMMANDS = {
     "elsewhere": "judge what the paper prints outside Theorem 1's proof and the spectrum",
     "prove": "decide a statement of your own, with a certificate",
     "explain": "print a row with the facts and the identity that prove it",
-    "graph": "draw a proof: which facts use which",
     "check": "check a certificate, and that its statement is the right one",
     "export": "write a certificate for Coq, or its statement as a page",
     "bench": "measure speed against error",

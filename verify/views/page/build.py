@@ -180,9 +180,7 @@ def _pictures(material: Material) -> Pictures:
         "line that follows from others is left out. "
         "Where no line leads down from a box, Theorem 1 does without its rows in this certificate. "
         "Assumed: a sentence that is taken on trust. Hatched: printed steps with this label are "
-        f"refuted at {place(material.main)}. All facts, "
-        f"{len(material.plotted.region.everywhere.steps)} steps of the certificate, one by one: "
-        "verify graph --out proof.svg."
+        f"refuted at {place(material.main)}."
     )
     state = "Three spheres just after a collision of 0 and s; the next one is that of 0 and c."
     return Pictures(

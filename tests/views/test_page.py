@@ -15,7 +15,7 @@ from typing import Any
 
 import pytest
 
-from tests.views.conftest import DEPTH, TABLE, build, pages_of
+from tests.views.conftest import TABLE, build, pages_of
 from verify.cli import main
 from verify.language.statement import ACCUSATIONS
 from verify.paper.assumptions import STEP_ASSUMPTIONS as ASSUMPTIONS
@@ -255,9 +255,7 @@ def test_a_second_build_is_the_same_to_the_byte(built: Path) -> None:
 
 @pytest.fixture(autouse=True)
 def coarse(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The command draws plots of as few cells, and measures as little, as what is compared."""
-    name = "verify.paper.commands.report.read_material.__defaults__"
-    monkeypatch.setattr(name, (lambda _: None, DEPTH))
+    """What is compared measures little."""
     monkeypatch.setattr("verify.measure.bench.out_of_date", lambda _: [])  # it has one table
 
 

@@ -60,7 +60,6 @@ SETS = (
 PLOTS = {
     "region": "For which r and θ₀",
     "margins": "How close each step is",
-    "minimum": "The smallest entry of η̄",
     "roots": "The roots of Q",
 }
 MEASURED = (
@@ -129,7 +128,7 @@ def _parts(found: Mapping[str, Any]) -> Iterator[Part]:
     ):
         if of:
             yield Part(_file(name), named, named, says)
-    for figure in found["pictures"].plots[1:5]:
+    for figure in found["pictures"].plots[1 : 1 + len(PLOTS)]:
         named = PLOTS[figure.name]
         yield Part(_file(figure.name), named, named, "plot", (named, figure))
     for one in MEASURED:

@@ -70,7 +70,7 @@ class State(Record):
         return sqrt(1 - self.top / self.p**2)
 
     def goes_on(self) -> dict[str, Claim]:
-        """That there is a next collision."""
+        """The condition for a next collision."""
         return {"p": 0 < self.p, "meets": self.top < self.p**2}
 
     def leads_to(self, x: Term, v: Term) -> dict[str, Claim]:

@@ -201,7 +201,7 @@ def _drawn(figure: Figure) -> list[str]:
 
 
 def alternative_text(figure: Figure, panel: Panel) -> str:
-    """What a panel shows, for who does not see it."""
+    """What a panel shows, for readers who cannot see it."""
     return " ".join(part for part in (f"{figure.title}: {panel.title}.", panel.told) if part)
 
 

@@ -16,9 +16,9 @@ from verify.cli import COMMANDS
 
 ROOT = Path(__file__).resolve().parent.parent
 #: A package of the index by the name of its module, where these differ.
-PACKAGES = {"z3": "z3-solver", "flint": "python-flint"}
-#: What only an option needs that says so in a line, or only speed: the module and its extra.
-HEAVY = {"distributed": "dask", "llvmlite": "fast", "z3": "peers", "cvc5": "peers"}
+PACKAGES = {"flint": "python-flint"}
+#: What only an option needs that says so in a line: the module and its extra.
+HEAVY = {"distributed": "dask"}
 
 
 def imported() -> set[str]:
@@ -52,7 +52,7 @@ def test_the_lock_file_has_what_is_installed() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     extras = project["optional-dependencies"]
     locked = names((ROOT / "requirements.lock").read_text(encoding="utf-8").split())
-    asked = names([*project["dependencies"], *extras["docs"], *extras["fast"], *extras["test"]])
+    asked = names([*project["dependencies"], *extras["docs"], *extras["test"]])
     assert asked <= locked
 
 
@@ -73,7 +73,7 @@ def test_help_loads_nothing_heavy() -> None:
         "from verify.cli import COMMANDS, main\n"
         "for command in COMMANDS:\n"
         "    assert main([command, '--help']) == 0, command\n"
-        "print([m for m in ('jinja2', 'mpmath', 'numpy', 'sympy', 'distributed', 'llvmlite') "
+        "print([m for m in ('jinja2', 'mpmath', 'numpy', 'sympy', 'distributed') "
         "if m in sys.modules])\n"
     )
     assert "stress" in COMMANDS

@@ -1402,15 +1402,15 @@ class Enclosing:
         return Fraction(sign * ((n << shift) // d), 1 << shift)
 
     def add(self, x: Interval, y: Interval) -> Interval:
-        """Sums rise with both terms."""
+        """Addition is increasing in both terms."""
         return Interval(x.low + y.low, x.high + y.high)
 
     def sub(self, x: Interval, y: Interval) -> Interval:
-        """Differences rise with the first term and fall with the second."""
+        """Subtraction is increasing in the first term and decreasing in the second."""
         return Interval(x.low - y.high, x.high - y.low)
 
     def neg(self, x: Interval) -> Interval:
-        """Negatives fall."""
+        """Negation is decreasing."""
         return Interval(-x.high, -x.low)
 
     def mul(self, x: Interval, y: Interval) -> Interval:

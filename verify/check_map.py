@@ -20,7 +20,7 @@ that the log has for it. What it takes on trust, besides itself and Python:
   momentum about the centre of mass is not 0: the theorem of `certificates/classification`.
 
 A scene in which two spheres just graze has the verdict that it gets whether this counts as a
-collision or not. Scenes in which all three touch at once, or overlap, at the start are not meant.
+collision or not. Scenes with a triple contact or an overlap at the start are excluded.
 That only finitely many collisions are possible is said unless all three touch at once later.
 
 The exit code is 0 if all is proved, 1 if a verdict is not, 4 if a log is malformed, 2 if a file
@@ -1684,13 +1684,13 @@ def says(plane: Plane, areas: Areas) -> str:
 
 
 def given(plane: Plane, areas: Areas) -> str:
-    """What is taken on trust, and which scenes are not meant."""
+    """The theorems that are taken on trust, and which scenes are excluded."""
     names = [f"certificates/{name}" for name in cites(plane, areas)]
     theorems = f"{', '.join(names[:-1])} and {names[-1]}"
-    meant = "scenes with an overlap or a triple contact at the start are not meant"
+    limits = "scenes with an overlap or a triple contact at the start are excluded"
     if areas.finite:
-        meant += "; there are finitely many collisions unless three spheres touch at once later"
-    return f"given the theorems of {theorems}; {meant}"
+        limits += "; there are finitely many collisions unless three spheres touch at once later"
+    return f"given the theorems of {theorems}; {limits}"
 
 
 def cites(plane: Plane, areas: Areas) -> tuple[str, ...]:

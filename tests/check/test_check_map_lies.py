@@ -459,7 +459,7 @@ def test_exit_codes(logs: Path) -> None:
         for line in out.splitlines():
             assert line.startswith("PROVED") == line.endswith(
                 "; given the theorems of certificates/flow and certificates/sharper; "
-                "scenes with an overlap or a triple contact at the start are not meant"
+                "scenes with an overlap or a triple contact at the start are excluded"
             )
         assert all(str(path) in out for path in paths if path != "--long")
 

@@ -61,7 +61,6 @@ WRITTEN = (
     "check certificates/classification --statement",
     "check certificates/flow --latex",
     "explain certificates/sharper impact-energy",
-    "graph certificates/sharper --out OUT/graph.json",
     "export coq certificates/examples/instance",
     "report --compare",
     "certify --compare",
@@ -75,7 +74,6 @@ SHIPPED = (
     "spectrum --json",
     "explain step impact-energy",
     "explain sharper impact-energy",
-    "graph step --out OUT/graph.svg",
 )
 #: What a named decision procedure judges.
 DECIDED = (
@@ -106,7 +104,6 @@ DECIDED = (
 #: Commands that print no verdict.
 SILENT = {
     "bench": "speeds and errors; its verdicts are those of plain doubles, called wrong",
-    "completion": "names of commands and options",
 }
 
 

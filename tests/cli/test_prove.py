@@ -40,9 +40,6 @@ def written(tmp_path: Path, document: Any) -> str:
 def test_a_proved_statement(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "out"
     assert main(["prove", written(tmp_path, example("instance")), "--out", str(out)]) == 0
-    lines = capsys.readouterr().out.splitlines()
-    assert lines[0].startswith("proved    two  2 <= x + 1/x")
-    assert lines[-1].startswith("Verdict: proved: A number and its inverse add up to 2 at least")
     assert check.check_folders(check.read_folders([str(out)]))[0] == 0
 
 
@@ -184,14 +181,6 @@ def test_what_is_proved_before_an_interruption_is_kept(
     assert [line.split()[0] for line in lines[:3]] == ["proved", "undecided", "undecided"]
     assert "because the search was interrupted" in lines[1]
     assert "1 needed proved" in check.check_folders(check.read_folders([str(out)]))[1][-1]
-
-
-def test_numbers_and_rules_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["prove", written(tmp_path, example("instance")), "-v"]) == 0
-    out = capsys.readouterr().out
-    assert "  for all values of positive" in out
-    assert "  left side 2, right side 2.1213203…, at 224 bits" in out
-    assert "  shown by the rule sum, judged by the checker" in out
 
 
 def test_rows_that_begin_are_told_to_who_watches(

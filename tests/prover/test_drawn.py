@@ -12,7 +12,7 @@ from verify.prover.budget import WorkBudget
 from verify.wire.questions import decide, read_page_of
 from verify.wire.write import write
 
-DRAWN = Path(__file__).resolve().parents[2] / "verify" / "data" / "drawn"
+DRAWN = Path(__file__).with_name("drawn")
 
 #: By what a search needs for them; none was decided before it was there.
 LEARNT = {

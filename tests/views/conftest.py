@@ -21,9 +21,6 @@ from verify.views.page.build import files
 
 Files = Mapping[str, bytes]
 
-#: Plots of few cells: what is tested does not depend on their size.
-DEPTH = 4
-
 TABLE = {
     "title": "Time and width",
     "columns": ["bits", "arb: ms", "arb: width", "iv: ms", "iv: width"],
@@ -44,7 +41,7 @@ def checked_once() -> Iterator[None]:
     """
     known: dict[object, CertifiedOutcome] = {}
     maps: dict[object, tuple[Any, Any]] = {}
-    drawn: dict[tuple[int, int], tuple[Outcome, Plotted]] = {}
+    drawn: dict[int, tuple[Outcome, Plotted]] = {}
     check, check_log, plotted = report._folder, check_map.check_log, report.plotted
 
     def folder(path: str, name: str, contents: Files, available: Files) -> CertifiedOutcome:
@@ -59,10 +56,10 @@ def checked_once() -> Iterator[None]:
             maps[key] = check_log(iter(key[:-1]), most)
         return maps[key]
 
-    def plot(everywhere: Outcome, depth: int) -> Plotted:
-        key = (id(everywhere), depth)
+    def plot(everywhere: Outcome) -> Plotted:
+        key = id(everywhere)
         if key not in drawn:
-            drawn[key] = everywhere, plotted(everywhere, depth)
+            drawn[key] = everywhere, plotted(everywhere)
         return drawn[key][1]
 
     with pytest.MonkeyPatch.context() as patch:
@@ -78,7 +75,7 @@ def few_boxes(log: bytes) -> bytes:
 
 
 def build(directory: Path, draw: bool) -> dict[str, bytes]:
-    return files(report.read_material(str(directory), depth=DEPTH), draw=draw)
+    return files(report.read_material(str(directory)), draw=draw)
 
 
 def pages_of(made: Path) -> dict[str, str]:

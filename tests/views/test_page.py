@@ -15,7 +15,7 @@ from typing import Any
 
 import pytest
 
-from tests.views.conftest import DEPTH, TABLE, build, pages_of
+from tests.views.conftest import TABLE, build, pages_of
 from verify.cli import main
 from verify.language.statement import ACCUSATIONS
 from verify.paper.assumptions import STEP_ASSUMPTIONS as ASSUMPTIONS
@@ -230,19 +230,6 @@ def test_the_measurements_are_shown(built: Path) -> None:
     assert "plot-speed" in page
 
 
-def test_the_twin_says_the_same(made: Path, page: str) -> None:
-    twin = (made / "index.md").read_text(encoding="utf-8")
-    assert not re.search(r"\*\* *[a-z ]+ \*\*", twin)
-    found = re.findall(r'<h[12] id="[^"]*">(.*?)</h[12]>', page)
-    headings = {prose(text) for text in re.findall(r"^## (.*)$", twin, flags=re.MULTILINE)}
-    assert set(found) == headings
-    captions = re.findall(r"<figcaption>(.*?)</figcaption>", page, flags=re.DOTALL)
-    assert len(captions) == twin.count("(The drawing is in the pages in HTML.)")
-    statement, _ = documents(made)
-    for row in statement["obligations"]:
-        assert row["says"].replace("|", "\\|") in twin
-
-
 def test_the_latex_table_has_the_constants(made: Path) -> None:
     text = (made / "constants.tex").read_text(encoding="utf-8")
     assert r"$\overline{\eta}$ & $[0.0001889745,\, 0.00018897451]$ & $5.2\cdot 10^{-7}$" in text
@@ -268,9 +255,7 @@ def test_a_second_build_is_the_same_to_the_byte(built: Path) -> None:
 
 @pytest.fixture(autouse=True)
 def coarse(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The command draws plots of as few cells, and measures as little, as what is compared."""
-    name = "verify.paper.commands.report.read_material.__defaults__"
-    monkeypatch.setattr(name, (lambda _: None, DEPTH))
+    """What is compared measures little."""
     monkeypatch.setattr("verify.measure.bench.out_of_date", lambda _: [])  # it has one table
 
 
@@ -288,7 +273,7 @@ def copy(built: Path, tmp_path: Path) -> Path:
 @pytest.fixture
 def made_before(built: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The command makes the report that was built for all tests, which takes no time."""
-    names = ["index.md", "constants.tex", *pages_of(built), "pages/style.css"]
+    names = ["constants.tex", *pages_of(built), "pages/style.css"]
     made = {name: (built / name).read_bytes() for name in names}
     monkeypatch.setattr("verify.views.page.build.files", lambda *_, **__: made)
     empty = SimpleNamespace(measurements={})
@@ -299,19 +284,19 @@ def test_compare_accepts_and_writes_nothing(copy: Path, capsys: pytest.CaptureFi
     before = {path: path.read_bytes() for path in copy.rglob("*") if path.is_file()}
     code, out, err = run(capsys, "--compare", "--directory", str(copy))
     assert (code, err) == (0, "")
-    assert out.count("same") == len(pages_of(copy)) + 3
+    assert out.count("same") == len(pages_of(copy)) + 2
     assert before == {path: path.read_bytes() for path in copy.rglob("*") if path.is_file()}
 
 
 @pytest.mark.usefixtures("made_before")
 def test_compare_sees_one_digit(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    for name in ("pages/constants.html", "index.md", "constants.tex"):
+    for name in ("pages/constants.html", "constants.tex"):
         text = (copy / name).read_text(encoding="utf-8")
         assert "0.000637" in text
         (copy / name).write_text(text.replace("0.000637", "0.000638", 1), encoding="utf-8")
     code, out, _ = run(capsys, "--compare", "--directory", str(copy))
     assert code == 1
-    assert out.count("DIFFERS") == 3
+    assert out.count("DIFFERS") == 2
 
 
 @pytest.mark.usefixtures("made_before")
@@ -327,10 +312,10 @@ def test_compare_sees_a_caption_but_no_path(copy: Path, capsys: pytest.CaptureFi
 
 
 def test_compare_without_a_page(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    (copy / "index.md").unlink()
+    (copy / "index.html").unlink()
     code, _, err = run(capsys, "--compare", "--directory", str(copy))
     assert code == 2
-    assert "index.md" in err
+    assert "index.html" in err
 
 
 def test_a_certificate_that_the_checker_refuses_is_not_shown(

@@ -11,14 +11,15 @@ from types import SimpleNamespace
 
 import pytest
 
-from tests.views.conftest import DEPTH, TABLE
+from tests.views.conftest import TABLE
 from verify.language.statement import ACCUSATIONS, REFUTED, UNDECIDED
-from verify.language.terms import as_term
-from verify.paper.commands import covers
+from verify.language.terms import Claim, as_term
+from verify.paper.commands import curves
 from verify.paper.commands.everywhere import decide_everywhere, decide_printed_everywhere
 from verify.paper.commands.report import plotted
 from verify.paper.commands.thresholds import bands, certified, decide_thresholds
 from verify.paper.everywhere.thresholds import STRIPS
+from verify.paper.hypotheses import hypotheses
 from verify.paper.parameters import PRINTED, REPAIRED
 from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
 from verify.paper.spectrum.printed import Printed
@@ -39,12 +40,13 @@ def phi_plus_is_below(q: Fraction, s: Fraction, c: Fraction) -> bool:
 
 
 def test_cells_of_the_picture_lie_where_they_say() -> None:
-    stable = covers.stability()
+    stable = next(row.claim for row in hypotheses() if row.name == "hypotheses.stability")
+    assert isinstance(stable, Claim)
     program = Program(("r", "c"))
     sides = program.add(stable.lhs), program.add(stable.rhs)
     run, seen = Machine(program, ExactArithmetic()), set()
     for low, high, refuted in bands(decide_thresholds()):
-        inside = region.cells(covers.WIDTH, low, high)
+        inside = region.cells(curves.WIDTH, low, high)
         for (left, right), (bottom, top) in list(inside)[::7]:
             for k in range(1, 8):
                 s, c = left + (right - left) * k / 8, bottom + (top - bottom) * (k * 3 % 8) / 8
@@ -57,7 +59,7 @@ def test_cells_of_the_picture_lie_where_they_say() -> None:
 
 
 def test_captions_count_what_is_drawn() -> None:
-    found = plotted(decide_everywhere(), DEPTH)
+    found = plotted(decide_everywhere())
     figure, outcome = region.picture(found.region), decide_printed_everywhere()
     refuted = [
         found
@@ -78,20 +80,15 @@ def test_a_strip_that_is_not_proved_is_not_drawn() -> None:
 
 
 def test_margins_are_on_the_right_side() -> None:
-    refuted, others = margins.printed_ratios(covers.ratios(PRINTED, covers.WHOLE))
+    refuted, others = margins.printed_ratios(curves.ratios(PRINTED, curves.WHOLE))
     assert len(refuted) > 10
     assert all(row.verdicts.isdisjoint({REFUTED}) for row in others)
-    for row in covers.ratios(REPAIRED, covers.SHARE):
+    for row in curves.ratios(REPAIRED, curves.SHARE):
         assert REFUTED not in row.verdicts
         assert all(low <= 1 for _, (low, _) in row.boxes)
-    cuts = covers.intervals()
+    cuts = curves.intervals()
     assert all(left[1] == right[0] for left, right in pairwise(cuts))
-    assert 0 < cuts[0][0] < cuts[-1][1] < covers.END
-
-
-def test_the_least_entry_is_the_least() -> None:
-    for group in (PRINTED, REPAIRED):
-        assert {index for _, index in covers.least_entries(group, DEPTH)} <= {None, 2}
+    assert 0 < cuts[0][0] < cuts[-1][1] < curves.END
 
 
 def test_the_roots_are_roots() -> None:
@@ -105,7 +102,7 @@ def test_the_roots_are_roots() -> None:
     for point in (Fraction(-27, 343), Fraction(2), Fraction(-1, 3)):
         expected = (point + Fraction(27, 343)) * ((point - x) ** 2 + w)
         assert run[q(as_term(point), as_term(r))] == expected
-    cell = next(c for c in covers.roots() if c.side[0] <= Fraction(3, 7) < c.side[1])
+    cell = next(c for c in curves.roots() if c.side[0] <= Fraction(3, 7) < c.side[1])
     assert cell.r[0] <= r <= cell.r[1]
     assert cell.re[0] <= x <= cell.re[1]
     assert cell.im[0] ** 2 <= w <= cell.im[1] ** 2
@@ -160,9 +157,7 @@ def lightness(colour: str) -> float:
 
 def test_drawings_are_well_formed_and_take_their_colours_from_the_page(page: str) -> None:
     drawings = re.findall(r"<svg .*?</svg>", page, re.DOTALL)
-    plots = sum(
-        len(figure.panels) for figure in figures(plotted(decide_everywhere(), DEPTH), TABLE)
-    )
+    plots = sum(len(figure.panels) for figure in figures(plotted(decide_everywhere()), TABLE))
     collapses, map_panels = 2 * 2, 3
     assert len(drawings) == plots + 3 + collapses + map_panels  # letters, the proof, the curve
     for text in drawings:
@@ -203,7 +198,7 @@ def test_precision_is_left_as_it_was() -> None:
     from flint import ctx
 
     before = ctx.prec
-    covers.threshold_boxes(8)
+    curves.threshold_boxes(8)
     assert ctx.prec == before
 
 

@@ -22,9 +22,8 @@ from verify.paper.commands.report_maps import log_names, read_map, read_strip, s
 from verify.prover.outcome import Outcome
 from verify.spheres.scene import scene_files
 from verify.spheres.scene.scene import Scene
-from verify.views.graph import graph, levels
 from verify.views.material import CertifiedMap
-from verify.views.page.blueprint import direct, edges_between_labels, lowered
+from verify.views.page.blueprint import direct, edges_between_labels, levels, lowered
 from verify.views.plots import collapse, map_figure
 from verify.views.plots.shapes import merged, round_marks
 from verify.views.setting import prose
@@ -165,11 +164,11 @@ def test_an_animation_is_the_same_again_and_brings_no_script(shown: collapse.Fil
     assert {f' id="{name}"' in text for name in named} == {True}
 
 
-# --- the graph, statements, sentences ------------------------------------------------------------
+# --- the drawing of the proof, statements, sentences ----------------------------------------------
 
 
 def test_lines_that_are_left_out_follow_from_others() -> None:
-    edges = edges_between_labels(graph(everywhere.decide_everywhere()))
+    edges = edges_between_labels(everywhere.decide_everywhere())
     level = lowered(levels(edges), edges)
     kept = direct(edges, level)
     above: dict[str, set[str]] = {}
@@ -190,7 +189,7 @@ def test_each_fact_is_below_what_it_rests_on_whatever_comes_first() -> None:
 
 def test_the_theorem_is_the_last_of_the_formulas_that_it_rests_on() -> None:
     outcome = everywhere.decide_everywhere()
-    edges = edges_between_labels(graph(outcome))
+    edges = edges_between_labels(outcome)
     level = lowered(levels(edges), edges)
     last = outcome.rows[-1][0].label
     assert [label for label in level if level[label] >= level[last]] == [last]
@@ -220,6 +219,4 @@ def test_a_statement_that_says_less_is_not_the_program_s(made: Path, folder: str
 def test_minus_signs_are_no_hyphens() -> None:
     assert prose("0 < -cos x, (-a) - b, |-c|") == "0 &lt; −cos x, (−a) − b, |−c|"
     assert prose("9-4√5, (1-h₅/4)") == "9−4√5, (1−h₅/4)"
-    assert prose("Cauchy-Schwarz, 0-1, verify graph --out") == (
-        "Cauchy-Schwarz, 0-1, verify graph --out"
-    )
+    assert prose("Cauchy-Schwarz, 0-1, verify map --out") == "Cauchy-Schwarz, 0-1, verify map --out"

@@ -28,14 +28,12 @@ COMMANDS = {
     "elsewhere": "judge what the paper prints outside Theorem 1's proof and the spectrum",
     "prove": "decide a statement of your own, with a certificate",
     "explain": "print a row with the facts and the identity that prove it",
-    "graph": "draw a proof: which facts use which",
     "check": "check a certificate, and that its statement is the right one",
     "export": "write a certificate for Coq, or its statement as a page",
     "bench": "measure speed against error",
     "stress": "run the numerically hard cases",
-    "report": "write the report: a page with plots, its Markdown twin, a LaTeX table",
+    "report": "write the report: pages with plots, and a LaTeX table",
     "certify": "make the committed certificates anew, or compare them",
-    "completion": "print a script that completes commands and options in a shell",
 }
 
 #: How the names of files end that a command may be asked about.

@@ -187,7 +187,7 @@ class _Whole(_Writing):
         self._make(self._fresh)
 
     def finish(self) -> None:
-        """Put the folder into its place; what was there is gone."""
+        """Put the folder into its place, instead of what was there."""
         with _alone(os.path.dirname(self._target)):
             self._look(os.path.join(self._fresh, "statement.json"))
             with suppress(FileNotFoundError):

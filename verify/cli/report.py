@@ -1,4 +1,4 @@
-"""Write the report: certificates/index.html and pages/, a twin in Markdown, and a LaTeX table."""
+"""Write the report: certificates/index.html with its pages, and a LaTeX table."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 #: What is compared.
-PAGES = ("index.html", "index.md", "constants.tex")
+PAGES = ("index.html", "constants.tex")
 #: Where the pages are that lead on from the first one; nothing else is there.
 FOLDER = "pages"
 
@@ -40,7 +40,7 @@ def run(options: Options) -> int:
             f"--directory: {shown(options.directory)} is not a folder; name the certificates"
         )
     if not options.compare:
-        test_folder("--directory", options.directory, "index.html", "index.md")
+        test_folder("--directory", options.directory, "index.html")
     else:
         for name in PAGES:
             _read(os.path.join(options.directory, name))  # said before the long work

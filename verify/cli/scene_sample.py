@@ -159,7 +159,7 @@ def _confidence(text: str) -> Fraction:
 def _decide(
     where: str, fixed: Mapping[str, Fraction], limits: Budget, drawn: Drawn
 ) -> tuple[int, Cells]:
-    """What is left out up to here, and the line of a table."""
+    """How many draws were left out before a scene, and its line of the table."""
     found = told(decide_scene(drawn.scene, limits))
     row = cells(os.path.basename(where), found, FLINT)
     return drawn.left_out, (*parameter_cells({**fixed, **drawn.values}), *row)

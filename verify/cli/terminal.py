@@ -56,12 +56,12 @@ def show(lines: Iterable[str], options: Options, *, records: bool = False) -> No
 
 
 def is_watched() -> bool:
-    """Whether somebody sees what is written to stderr."""
+    """Whether stderr is a terminal."""
     return sys.stderr is not None and sys.stderr.isatty()
 
 
 def progress(text: str) -> None:
-    """Say on stderr what is being done, if somebody watches."""
+    """Print on stderr what is being done, if that is a terminal."""
     if is_watched():
         print(f"{text} …", file=sys.stderr)
 

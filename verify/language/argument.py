@@ -217,7 +217,7 @@ def argue(
 
 
 def row_of(line: Line, group: str, context: str | None) -> Obligation:
-    """The obligation that a line is, if it says something."""
+    """The obligation that a line states."""
     return Obligation(
         line.name, group, line.label, NEEDED, line.says, line.claim, line.uses, context=context
     )

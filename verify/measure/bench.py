@@ -378,7 +378,7 @@ def process_table(rounds: int) -> Table:
 
 def _commands(folder: str) -> dict[str, list[str]]:
     """What Python is started with, by names; files go into a folder."""
-    point, drawing = str(Path(folder, "point")), str(Path(folder, "graph.json"))
+    point = str(Path(folder, "point"))
     main_job = ["-m", "verify", "theorem1", "--r", "0.03"]
     return {
         "python -c pass": ["-c", "pass"],
@@ -392,7 +392,6 @@ def _commands(folder: str) -> dict[str, list[str]]:
         "verify spectrum": ["-m", "verify", "spectrum"],
         "verify classification": ["-m", "verify", "classification"],
         "verify elsewhere": ["-m", "verify", "elsewhere"],
-        "verify graph step": ["-m", "verify", "graph", "step", "--out", drawing],
         "verify theorem1 --r 0.03 --out POINT": [*main_job, "--out", point],
         "verify check POINT": ["-m", "verify", "check", point],
     }

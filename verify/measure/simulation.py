@@ -27,7 +27,7 @@ class Impact(Record):
 
 
 def simulate(scene: Scene, most: int, digits: int = DIGITS) -> list[Impact]:
-    """The collisions, at most so many."""
+    """The first collisions of a scene, computed with so many digits and without proof."""
     with mpmath.workdps(digits):
         number = mpmath.mpf
         x = [[number(a.numerator) / a.denominator for a in row] for row in scene.positions]

@@ -182,16 +182,6 @@ def less(a: arb, b: arb) -> bool:
     return bool(a < b)
 
 
-def less_equal(a: arb, b: arb) -> bool:
-    """True only if no number in a is larger than any number in b."""
-    return bool(a <= b)
-
-
-def sign(ball: arb) -> int:
-    """1 if no number in the ball is negative, -1 if none is positive, 0 if unknown (or zero)."""
-    return int(ball >= 0) - int(ball <= 0)
-
-
 def strict_sign(ball: arb) -> int:
     """1 if every number in the ball is positive, -1 if every one is negative, else 0."""
     return int(ball > 0) - int(ball < 0)

@@ -225,7 +225,7 @@ class Clearing(Quotients):
         return self.replaced.get(term)
 
     def is_negative(self, term: Term) -> bool:
-        """What was said of divisors."""
+        """True only if the caller has declared the divisor negative."""
         return self._is_negative is not None and self._is_negative(term)
 
     def atom(self, term: Term) -> Polynomial | None:

@@ -158,7 +158,7 @@ class Constants:
 
     @property
     def no_value(self) -> str:
-        """What is said of a term that is not enclosed."""
+        """The message about a term that has no enclosure."""
         return (
             f"has no value at {self.max_bits} bits; "
             "look for a divisor that is 0, or a root or logarithm of a negative number"

@@ -73,12 +73,12 @@ class Decision(Record):
 
     @property
     def verdict(self) -> str:
-        """What the judge says, or that nobody has said anything."""
+        """The verdict of the judge; undecided before there is one."""
         return UNDECIDED if self.judged is None else self.judged.verdict
 
     @property
     def judge(self) -> str | None:
-        """Who gives the verdict."""
+        """The name of the judge, or None before there is a verdict."""
         return None if self.judged is None else self.judged.by
 
     @property
@@ -168,7 +168,7 @@ class Outcome(Record):
 
     @property
     def draft(self) -> Outcome:
-        """The same claims, judged by nobody."""
+        """The same claims without the judge's verdicts."""
         claims = {name: found._replace(judged=None) for name, found in self.decisions.items()}
         return self._replace(decisions=claims)
 

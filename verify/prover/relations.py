@@ -16,7 +16,7 @@ HOLDS, FAILS, OPEN = 1, 2, 0
 class Meaning(Record):
     """When a relation holds, and when it fails, between two values of an ordered type.
 
-    ``less`` and ``less_equal`` certify their true side only, so that balls can be compared.
+    Each is true only if it is so for all numbers of both values, so that balls can be compared.
     """
 
     holds: Callable[[Any, Any], bool]

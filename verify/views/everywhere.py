@@ -66,7 +66,6 @@ def screen(
     yield f"Rows: {words.counts(outcome, 'needed')}"
     yield f"The step, for every state, is {words.cited_as(cite, paper)}"
     yield f"{words.believed(outcome, paper)} The sentences: -v."
-    yield "The graph of the proof: verify graph --out FILE.svg"
     yield MORE
     yield ""
     if outcome.verdict == PROVED:

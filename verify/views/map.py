@@ -97,7 +97,7 @@ def borders(progress: Progress) -> list[Ends]:
 
 
 def is_interval(plane: Plane) -> bool:
-    """Whether there is one parameter only."""
+    """Whether the plane is an interval: it has one parameter."""
     return "y" not in plane
 
 

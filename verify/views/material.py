@@ -160,11 +160,10 @@ class Region(Record):
 
 
 class Plotted(Record):
-    """Everything that is plotted; ``least`` has the cells of each set with the least entry."""
+    """Everything that is plotted."""
 
     region: Region
     margins: Margins
-    least: Mapping[str, Sequence[tuple[Rectangle, int | None]]]
     roots: Sequence[Roots]
 
 

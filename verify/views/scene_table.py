@@ -24,7 +24,7 @@ Instant = Any
 
 
 def cells(file: str, told: Told, judge: str) -> Cells:
-    """A line of the table; what there is none of is empty."""
+    """A line of the table; a cell without a value is empty."""
     pairs = (told.time, told.angle, told.energy, told.event)
     ends = [_ends(pair) for pair in pairs]
     return (

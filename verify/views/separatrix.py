@@ -133,7 +133,7 @@ def screen(found: Separatrix, certified: str = "") -> Iterator[str]:
 
 
 def _existence(found: Separatrix) -> Iterator[str]:
-    """Whether there is a curve at all."""
+    """The line that says whether there is a curve."""
     if found.exists is None:
         yield "Whether there is a separatrix is not decided."
     elif found.exists:

@@ -100,18 +100,13 @@ Filters = Iterable[Callable[..., Any]]
 
 def in_html(name: str, content: Mapping[str, Any], filters: Filters = ()) -> str:
     """What a template says, in HTML, where everything is escaped."""
-    return _for_html(*filters).get_template(name).render(content, kind="html.j2").lstrip()
+    return _for_html(*filters).get_template(name).render(content).lstrip()
 
 
-def in_markdown(name: str, content: Mapping[str, Any], filters: Filters) -> str:
-    """What a template says, in Markdown, with one empty line between its parts."""
-    found = markdown_template(name, filters).render(content, kind="markdown.j2")
-    return apart(found).rstrip("\n") + "\n"
-
-
-def markdown_template(name: str, filters: Filters = ()) -> Template:
+@cache
+def markdown_template(name: str) -> Template:
     """A template in Markdown, which has no tags: nothing is escaped but bars in tables."""
-    return _for_markdown(*filters).get_template(name)
+    return _environment((), _cells_in_markdown).get_template(name)
 
 
 def apart(text: str) -> str:
@@ -130,13 +125,6 @@ def _for_html(*filters: Callable[..., Any]) -> Environment:
         "prose": lambda text: Markup(prose(text)),  # noqa: S704  these three are escaped
         "raised": lambda text: Markup(raised(text)),  # noqa: S704
     }
-    return found
-
-
-@cache
-def _for_markdown(*filters: Callable[..., Any]) -> Environment:
-    found = _environment(filters, _cells_in_markdown)
-    found.filters["set"] = in_a_line
     return found
 
 
@@ -165,7 +153,7 @@ def _cells_in_html(rows: Iterable[Iterable[object]], raw: bool = False) -> list[
     return [[Markup(powers(escape(str(cell)))) for cell in row] for row in rows]  # noqa: S704
 
 
-def _cells_in_markdown(rows: Iterable[Iterable[object]], raw: bool = False) -> list[list[str]]:  # noqa: ARG001
+def _cells_in_markdown(rows: Iterable[Iterable[object]]) -> list[list[str]]:
     """The cells of a table; bars inside of one are escaped."""
     return [[in_a_line(str(cell)).replace("|", "\\|") for cell in row] for row in rows]
 

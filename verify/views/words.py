@@ -239,7 +239,7 @@ COUNTED = {
 
 
 def counts(outcome: Outcome, role: str) -> str:
-    """The rows of one role by verdict; empty if there are none."""
+    """The number of rows of one role by verdict; empty if there are no such rows."""
     found = Counter(fair(outcome, row, d) for row, d in outcome.rows if row.role == role)
     total = sum(found.values())
     parts = ", ".join(f"{found[v]} {word}" for v, word in COUNTED.items() if found[v])

@@ -73,7 +73,7 @@ TRIED = (
 
 
 def state_everywhere() -> Statement:
-    """What is claimed, before it is decided."""
+    """The statement of Theorem 1 for all parameters."""
     files = write(decide_step())
     return statement(files["statement.json"], files["certificate.json"])
 
@@ -170,7 +170,7 @@ class Everywhere:
         return self.outcome()
 
     def outcome(self) -> Outcome:
-        """What is decided so far; the checker has judged it."""
+        """The decisions so far, each with the verdict of the checker."""
         decisions = {
             row.name: self.writing.decisions.get(row.name, Decision(UNDECIDED))
             for row in self.statement.obligations

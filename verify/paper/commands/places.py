@@ -150,7 +150,7 @@ def _yielded(running: Any) -> Iterator[Place]:
 
 
 def _known(context: Context, path: str, line: int) -> Iterator[Place]:
-    """What is given in a context, and its constants."""
+    """Places of the givens and constants of a context."""
     names = [*(given.name for given in context.givens), *(c.name for c in context.constants)]
     for name in names:
         yield Place(name, "", f"in the context {context.name}", path, line)

@@ -12,7 +12,7 @@ from hashlib import sha256
 from typing import Any
 
 from verify import check
-from verify.paper.commands import covers
+from verify.paper.commands import curves
 from verify.paper.commands.everywhere import decide_everywhere, decide_printed_everywhere
 from verify.paper.commands.regenerate import is_right_when_accepted
 from verify.paper.commands.report_files import CertificateError, read_file, unusable
@@ -58,14 +58,12 @@ def number_of_steps(directory: str, *, draw: bool) -> int:
 def read_material(
     directory: str,
     progress: Callable[[str], None] = lambda _: None,
-    depth: int = covers.DEPTH,
 ) -> Material:
     """Read and check every certificate folder and every map, and enclose what the plots show.
 
     Args:
         directory: where the certificates are, and the measurements if there are any.
         progress: is told what is being done.
-        depth: how many times a side of the plane of parameters is halved.
 
     Raises:
         CertificateError: with the code 2 if the directory has no certificate, or a file cannot be
@@ -110,7 +108,7 @@ def read_material(
         measurements,
         digests,
         dict(_stories(folders)),
-        plotted(found[0] if found else decide_everywhere(), depth),
+        plotted(found[0] if found else decide_everywhere()),
         _checked_in_coq(folders),
         whole(),
         stored_curve() if any(f.outcome.statement.theorem == SEPARATRIX for f in folders) else None,
@@ -127,8 +125,8 @@ def _stories(folders: Iterable[CertifiedOutcome]) -> Iterator[tuple[str, Story]]
             yield name, told
 
 
-def plotted(everywhere: Outcome, depth: int) -> Plotted:
-    """What the plots show, computed over the plane of parameters and over r."""
+def plotted(everywhere: Outcome) -> Plotted:
+    """What the plots show."""
     where = decide_thresholds()
     return Plotted(
         Region(
@@ -137,18 +135,17 @@ def plotted(everywhere: Outcome, depth: int) -> Plotted:
             where,
             all_shares(where),
             tuple(bands(where)),
-            covers.WIDTH,
-            tuple(covers.threshold_boxes(400).values()),
+            curves.WIDTH,
+            tuple(curves.threshold_boxes(400).values()),
         ),
         Margins(
-            covers.intervals(),
-            covers.END,
-            covers.FACTOR,
-            covers.ratios(PRINTED, covers.WHOLE),
-            covers.ratios(REPAIRED, covers.SHARE),
+            curves.intervals(),
+            curves.END,
+            curves.FACTOR,
+            curves.ratios(PRINTED, curves.WHOLE),
+            curves.ratios(REPAIRED, curves.SHARE),
         ),
-        {group: covers.least_entries(group, depth - 1) for group in (PRINTED, REPAIRED)},
-        covers.roots(),
+        curves.roots(),
     )
 
 

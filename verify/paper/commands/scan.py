@@ -107,7 +107,7 @@ class Compiled:
         self._code.call(constant.name, self._chooser.rounding(choice), bound, *entries)
 
     def at(self, parameters: Mapping[str, Fraction]) -> ScannedPoint | None:
-        """The point; None where something is left open."""
+        """The verdicts at a point; None if a constant cannot be rounded with so many bits."""
         self._chooser.start(parameters)
         with balls.precision(BITS):
             try:
@@ -223,7 +223,7 @@ class Grid(NamedTuple):
         return self.low + (self.high - self.low) * i / (self.steps - 1)
 
     def parts(self, size: int) -> Iterator[range]:
-        """All places, so many at a time."""
+        """The places in groups of a size."""
         places = range(self.steps)
         return (places[i : i + size] for i in range(0, self.steps, size))
 

@@ -214,13 +214,13 @@ def decide_stored() -> Outcome:
 
 
 def outcomes_at(point: PointParameters) -> Iterator[Outcome]:
-    """The statement with these parameters, if there is one."""
+    """Yield the statement at these parameters, unless its numbers are too long to write."""
     with suppress(TooLongError):
         yield point_outcome(point)
 
 
 def point_outcome(point: PointParameters) -> Outcome:
-    """The same, judged by nobody."""
+    """The statement at these parameters with its proofs, before the checker reads it."""
     rows, digits = _rows(point)
     parameters = {name: as_term(value) for name, value in point.values.items()}
     given = [Constant(name, name, name, "", x) for name, x in parameters.items()]

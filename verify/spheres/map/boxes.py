@@ -174,7 +174,7 @@ def verdicts(plane: Plane | BorderStrip, keys: Sequence[str]) -> Verdicts:
 def _and_more(
     found: Verdicts, keys: Sequence[str], more: Callable[[list[str]], Verdicts]
 ) -> Verdicts:
-    """The verdicts, and others where there are none."""
+    """The verdicts, where the boxes that they leave undecided have been tried by another method."""
     left = [i for i, letter in enumerate(found.letters) if letter == UNDECIDED]
     if not left:
         return found

@@ -16,8 +16,8 @@ import numpy as np
 
 from verify.language.record import Record
 from verify.spheres.flow.law import Flight, Pair, State, collided, flight, inner, outer, recentred
-from verify.spheres.map.elementwise import Elementwise
 from verify.spheres.map.intervals import Array, Intervals, down
+from verify.spheres.map.trees import chosen_of
 
 #: One number of many boxes of states: `Intervals`, `Models`, or `BallModels`.
 Boxes = Any
@@ -97,7 +97,6 @@ def seen_from_s(state: State) -> State:
     return other._replace(v=other.lam.like(1))
 
 
-@Elementwise
 def _own(state: State) -> tuple[Look, Boxes, Flight, Array, Array]:
     """Whether o and c meet, left alone, and how.
 
@@ -110,7 +109,6 @@ def _own(state: State) -> tuple[Look, Boxes, Flight, Array, Array]:
     return own, met.lam, way, own.always & _is_first(state, way), little
 
 
-@Elementwise
 def _far(state: State, y: Boxes, T: Boxes) -> tuple[Look, Array]:
     """Whether s and c meet, left alone; and whether that is not before o and c do so."""
     pair = outer(state)
@@ -118,14 +116,12 @@ def _far(state: State, y: Boxes, T: Boxes) -> tuple[Look, Array]:
     return seen, seen.never | apart(pair, y * T)
 
 
-@Elementwise
 def _near(state: State, never: Array) -> tuple[State, Flight, Array]:
     """States from which s and c meet, seen from s, and how; whether o and c do not meet before."""
     met, way = meeting_part(seen_from_s(state))
     return met, way, never | apart(inner(state)[0], way.y * way.T)
 
 
-@Elementwise
 def _after(r: Boxes, met: State, way: Flight) -> tuple[State, Array]:
     """The states after o and c have met, where there are some."""
     after = collided(r, met, way)
@@ -136,7 +132,7 @@ def _next(r: Boxes, met: State, way: Flight, chosen: Array, places: Array) -> li
     """The states after o and c have met at chosen places, if there are some, and where they are."""
     if len(chosen) == 0:
         return []
-    after, some = _after(r, met, way, chosen=chosen)
+    after, some = _after(*chosen_of((r, met, way), chosen))
     return [(places[chosen[some]], take(after, some))]
 
 
@@ -150,14 +146,14 @@ def advance(r: Boxes, state: State) -> Step:
     rest = np.flatnonzero(~first)
     far = Look(np.zeros_like(first), np.zeros_like(first))
     if len(rest):
-        seen, first[rest] = _far(state, way.y, way.T, chosen=rest)
+        seen, first[rest] = _far(*chosen_of((state, way.y, way.T), rest))
         far.never[rest], far.always[rest] = seen
     meets, known = ~own.never & first, first.copy()
     other = np.flatnonzero(~far.never & ~(first & own.always))
     states: list[Places] = []
     if len(other):
         # In the order of `other`: how s and c meet, and whether they are the first to do so.
-        near, near_way, far_first = _near(state, own.never, chosen=other)
+        near, near_way, far_first = _near(*chosen_of((state, own.never), other))
         known[other] |= far_first
         meets[other] |= ~own.never[other] & far_first & ~far.always[other]
         goes = np.flatnonzero(far_first | first[other])
@@ -183,7 +179,6 @@ def _sticks(state: State) -> Array:
     return ~((state.rho.low > 0) | (state.B.low > 0))
 
 
-@Elementwise
 def _first_of_three(
     views: Sequence[State], pairs: Sequence[Pair]
 ) -> tuple[tuple[tuple[Array, Boxes, Flight], ...], Array, Array]:

@@ -16,7 +16,6 @@ from verify.prover.program import Machine, Program
 from verify.spheres.flow.collapse import SHARPER
 from verify.spheres.flow.law import State
 from verify.spheres.map.branches import some_of
-from verify.spheres.map.elementwise import Elementwise, Repeated, chosen_of
 from verify.spheres.map.intervals import (
     Array,
     Intervals,
@@ -25,6 +24,7 @@ from verify.spheres.map.intervals import (
     square_root,
     up,
 )
+from verify.spheres.map.trees import chosen_of, repeated
 from verify.wire.packaged import packaged_files
 from verify.wire.questions import read_questions
 
@@ -75,11 +75,11 @@ def collapsing(r: Intervals, state: State) -> tuple[Array, Array]:
     places = np.flatnonzero((state.lam.low > 0) & (state.rho.low > 0) & (state.C.low > 0))
     if len(places) == 0:
         return nothing
-    box, known, guess, worth = _begun(_ends(r), state, chosen=places)
+    box, known, guess, worth = _begun(*chosen_of((_ends(r), state), places))
     here = np.flatnonzero(worth)
     if len(here) == 0:
         return nothing
-    guess, found = _searched(known, guess, chosen=here)
+    guess, found = repeated(_improved, ROUNDS, *chosen_of((known, guess), here))
     here = here[found]
     if len(here) == 0:
         return nothing
@@ -100,7 +100,6 @@ def collapsing_on_a_line(r: Intervals, state: State, owners: Array) -> tuple[Arr
     return places, np.zeros((0, len(places)))
 
 
-@Elementwise
 def _shown_on_a_line(r: Intervals, state: State) -> Array:
     """Whether they collapse.
 
@@ -189,7 +188,6 @@ class Guess(Record):
     size: Array
 
 
-@Elementwise
 def _begun(r: Ends, state: State) -> tuple[Approach, Known, Guess, Array]:
     """The first guess, and whether it is worth while to improve it."""
     box = as_approach(state)
@@ -231,10 +229,6 @@ def _improved(known: Known, guess: Guess) -> tuple[Guess, Array, Array]:
     return Guess((low, high), (small, large), k, V, size), ends, fine & ~ends
 
 
-#: Bounds of numbers that probably satisfy what the theorem asks for.
-_searched = Repeated(_improved, ROUNDS)
-
-
 def _rounded(guess: Guess, speed: Array) -> Array:
     """Whole numbers of units, each on the side where it is weaker."""
     (low, high), (small, large) = guess.y, guess.ratio
@@ -246,7 +240,6 @@ def _rounded(guess: Guess, speed: Array) -> Array:
     return np.stack([np.maximum(m, X), p, X, Y, k, V])
 
 
-@Elementwise
 def _closed(r: Intervals, box: Approach, guess: Guess) -> tuple[Array, Array]:
     """The numbers, and whether the theorem applies with them."""
     numbers = _rounded(guess, box.speed)

@@ -133,7 +133,7 @@ def _known(c: Array, e: Array, bounds: Intervals) -> Models:
 
 
 def _rescued(c: Array, e: Array, bounds: Intervals) -> Models:
-    """Where there is no polynomial there may still be bounds."""
+    """Models, where those with an infinite error are replaced by their bounds."""
     flat, rough = from_bounds(bounds), ~(e < np.inf)
     return Models(np.where(rough, flat.c, c), np.where(rough, flat.e, e), bounds)
 

@@ -216,7 +216,7 @@ def _each(where: str, key: str, table: dict[str, Any]) -> tuple[Fraction, ...]:
 
 
 def _bodies(masses: tuple[Fraction, ...], radii: tuple[Fraction, ...]) -> Bodies | None:
-    """None if all are equal."""
+    """Masses and radii with their defaults; None if all spheres are equal."""
     if not radii and len({*masses}) <= 1:
         return None
     return Bodies(masses or (Fraction(1),) * 3, radii or (HALF,) * 3)

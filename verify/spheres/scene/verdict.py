@@ -76,7 +76,7 @@ class Step(Record):
 
 
 def told(found: Fate) -> Told:
-    """What is told of a scene."""
+    """The verdict on a scene, with its numbers in decimals."""
     end = found.collapse
     return Told(
         found.flow.scene,

@@ -6,10 +6,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from html import escape
 
 from verify.language.record import Record
-from verify.language.statement import PRINTED, REFUTED, Publication
+from verify.language.statement import PRINTED, REFUTED, Applies, Cite, Obligation, Publication
 from verify.prover.outcome import Outcome
-from verify.views.graph import Graph, graph, levels
-from verify.views.plots.drawing import begun, pattern
+from verify.prover.uses import nodes
+from verify.views.plots import drawing
+from verify.views.plots.drawing import pattern
 from verify.views.words import fair, in_letters
 
 #: So many sentences are told of a formula when it is pointed at.
@@ -30,22 +31,58 @@ class Formula(Record):
     says: Sequence[str]
 
 
-def edges_between_labels(found: Graph) -> Edges:
+def edges_between_labels(outcome: Outcome) -> Edges:
     """For each label those whose facts it uses, directly or through facts without a label."""
-    label = {vertex.name: vertex.label for vertex in found.vertices}
-    used: dict[str, list[str]] = {name: [] for name in label}
-    for source, user in found.edges:
-        used[user].append(source)
+    rows = {row.name: row for row, _ in outcome.rows}
+    found = nodes(outcome)
+    label = {name: rows[name].label if name in rows else "" for name in found}
+    label |= {a.name: a.label for a in (*outcome.own_assumptions, *outcome.printed_assumptions)}
+    used = {name: [*node.uses, *rows[name].uses] if name in rows else [*node.uses]
+            for name, node in found.items()}  # fmt: skip
+    for cite in outcome.statement.cites:
+        there = {f"{cite.name}:{a.name}": a.label for a in cite.trusted}
+        label |= there
+        for name in rows.keys() & used.keys():
+            used[name] += there if _applies(rows[name], cite) else ()
     behind: dict[str, set[str]] = {}
     edges: Edges = {}
-    for vertex in found.vertices:  # facts come after those that they use
+    for name, own in label.items():  # facts come after those that they use
         sources: set[str] = set()
-        for name in used[vertex.name]:
-            sources |= {label[name]} if label[name] else behind.get(name, set())
-        behind[vertex.name] = sources
-        if vertex.label:
-            edges.setdefault(vertex.label, set()).update(sources - {vertex.label})
+        for source in used.get(name, ()):
+            known = label.get(source)
+            sources |= {known} if known else behind.get(source, set())
+        behind[name] = sources
+        if own:
+            edges.setdefault(own, set()).update(sources - {own})
     return edges
+
+
+def _applies(row: Obligation, cite: Cite) -> bool:
+    """Whether a row applies a cited statement."""
+    claim = row.claim
+    return isinstance(claim, Applies) and claim.context.startswith(f"{cite.name}:")
+
+
+def levels(above: Edges) -> dict[str, int]:
+    """How far each formula is from what it rests on, in any order; no edge leads up.
+
+    An edge that closes a circle does not count: formulas may rest on one another.
+    """
+    found: dict[str, int] = {}
+    begun: set[str] = set()
+
+    def visit(label: str) -> None:
+        begun.add(label)
+        sources = sorted(above[label])
+        for one in sources:
+            if one not in begun:
+                visit(one)
+        found[label] = 1 + max((found[one] for one in sources if one in found), default=-1)
+
+    for label in above:
+        if label not in begun:
+            visit(label)
+    return {label: found[label] for label in above}
 
 
 def lowered(level: Mapping[str, int], edges: Edges) -> dict[str, int]:
@@ -79,7 +116,7 @@ def direct(edges: Edges, level: Mapping[str, int]) -> Edges:
 
 def proof_drawing(everywhere: Outcome, point: Outcome, paper: Publication) -> str:
     """The graph of the theorem for all parameters; what is refuted at the point is hatched."""
-    edges = edges_between_labels(graph(everywhere))
+    edges = edges_between_labels(everywhere)
     formulas = {label: _formula(label, everywhere, point, paper) for label in edges}
     level = lowered(levels(edges), edges)
     place = dict(_places(level))
@@ -91,7 +128,7 @@ def proof_drawing(everywhere: Outcome, point: Outcome, paper: Publication) -> st
     )
     return "\n".join(
         [
-            begun(WIDTH, height, told, 'role="group"'),
+            drawing.begun(WIDTH, height, told, 'role="group"'),
             f"<defs>{pattern('proof-hatch', 'refuted-area')}</defs>",
             *_lines(direct(edges, level), place),
             *(_box(formulas[label], *place[label]) for label in edges),

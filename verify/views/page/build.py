@@ -1,4 +1,4 @@
-"""The files of the report: one template says it all, as pages in HTML and as one in Markdown."""
+"""The files of the report: one template says it all, page by page."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ from verify.views.plots.letters import letters_drawing
 from verify.views.plots.shapes import Figure, Panel
 from verify.views.point import in_numbers, place
 from verify.views.screen import causes
-from verify.views.setting import TEMPLATES, in_html, in_markdown
+from verify.views.setting import TEMPLATES, in_html
 
 TITLE = "Three particles collapse: what is proved"
 #: The style sheet of all pages, with their font.
@@ -61,7 +61,6 @@ SETS = (
 PLOTS = {
     "region": "For which r and θ₀",
     "margins": "How close each step is",
-    "minimum": "The smallest entry of η̄",
     "roots": "The roots of Q",
 }
 MEASURED = (
@@ -85,11 +84,10 @@ def files(material: Material, *, draw: bool) -> dict[str, bytes]:
     found = _content(material) | {"pictures": pictures, "drawn": drawn}
     parts = list(_parts(found))
     found |= {"contents": [part for part in parts if part.short], "STYLE": STYLE}
-    pages = {part.file: in_html("page.j2", found | {"parts": [part]}, FILTERS) for part in parts}
+    pages = {part.file: in_html("page.j2", found | {"part": part}, FILTERS) for part in parts}
     return {
         **{name: content.encode() for name, content in joined(pages, draw).items()},
         STYLE: style().encode(),
-        "index.md": in_markdown("page.j2", found | {"parts": parts}, FILTERS).encode(),
         "constants.tex": found["latex"].encode(),
         **made,
     }
@@ -131,7 +129,7 @@ def _parts(found: Mapping[str, Any]) -> Iterator[Part]:
     ):
         if of:
             yield Part(_file(name), named, named, says)
-    for figure in found["pictures"].plots[1:5]:
+    for figure in found["pictures"].plots[1 : 1 + len(PLOTS)]:
         named = PLOTS[figure.name]
         yield Part(_file(figure.name), named, named, "plot", (named, figure))
     for one in MEASURED:
@@ -182,9 +180,7 @@ def _pictures(material: Material) -> Pictures:
         "line that follows from others is left out. "
         "Where no line leads down from a box, Theorem 1 does without its rows in this certificate. "
         "Assumed: a sentence that is taken on trust. Hatched: printed steps with this label are "
-        f"refuted at {place(material.main)}. All facts, "
-        f"{len(material.plotted.region.everywhere.steps)} steps of the certificate, one by one: "
-        "verify graph --out proof.svg."
+        f"refuted at {place(material.main)}."
     )
     state = "Three spheres just after a collision of 0 and s; the next one is that of 0 and c."
     return Pictures(
@@ -206,7 +202,7 @@ def _drawn(figure: Figure) -> list[str]:
 
 
 def alternative_text(figure: Figure, panel: Panel) -> str:
-    """What a panel shows, for who does not see it."""
+    """What a panel shows, for readers who cannot see it."""
     return " ".join(part for part in (f"{figure.title}: {panel.title}.", panel.told) if part)
 
 

@@ -37,7 +37,6 @@ def figures(plotted: Plotted, precision: Mapping[str, Any] | None) -> list[Figur
         margins.broken_steps(plotted.margins),
         region.picture(plotted.region),
         margins.figure(plotted.margins),
-        region.least_entries(plotted.least, plotted.region),
         roots.figure(plotted.roots),
     ]
     last = None if precision is None else speed.figure(precision)

@@ -43,7 +43,7 @@ def several(unit: str) -> str:
 
 
 def counted(length: float, unit: str) -> str:
-    """So many units of length, of which there is a round number."""
+    """A length with its unit, in the singular or the plural."""
     number = exact_number(Fraction(str(length)))
     return f"{number} {unit if number == '1' else several(unit)}"
 

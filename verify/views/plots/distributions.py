@@ -116,7 +116,7 @@ def _angles(row: Mapping[str, str]) -> tuple[Fraction, Fraction]:
 
 
 def _collisions(rows: Rows, until: str) -> Panel:
-    """Whole numbers: each bar says which ones it stands for."""
+    """The number of scenes by their number of collisions; each bar names its numbers."""
     title = "number of scenes, by number of collisions"
     groups = [
         Group(

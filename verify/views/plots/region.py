@@ -7,11 +7,10 @@ stability threshold does.
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.statement import PRINTED, PROVED, REFUTED, REPAIRED, UNDECIDED
+from verify.language.statement import PRINTED, PROVED, REFUTED
 from verify.views.everywhere import dependences
 from verify.views.material import Rectangle, Region
 from verify.views.plots import shapes
@@ -133,48 +132,3 @@ def curves(region: Region) -> Iterator[shapes.Areas]:
     for curve in region.curves:
         part = (box for box in curve if box[1][0] <= 1 and box[0][0] <= region.width)
         yield shapes.Areas(shapes.corners(part), "ink", 0.8)
-
-
-# --- which entry of the min that bounds eta_bar is the least, over the region --------------------
-
-#: The colour of each entry; the third one is the usual answer.
-SHADES = ("series-2", "series-4", "proved-area", "series-1", "series-6", "series-7", "series-5")
-
-Cells = Sequence[tuple[Rectangle, int | None]]
-
-
-def least_entries(least: Mapping[str, Cells], region: Region) -> shapes.Figure:
-    """Both sets side by side."""
-    captions = []
-    for group in (PRINTED, REPAIRED):
-        counts = Counter(index for _, index in least[group])
-        parts = ", ".join(
-            f"entry {index + 1} on {counts[index]} cells"
-            for index in sorted(i for i in counts if i is not None)
-        )
-        captions.append(f"{group}: {parts}, undecided on {counts[None]}")
-    return shapes.Figure(
-        "minimum",
-        "Which entry of η̄ is the smallest",
-        "On each coloured cell one entry of the min that defines or bounds η̄ is at most each other "
-        f"one at every point of the cell ({'; '.join(captions)}). Grey: two entries cross there, "
-        "or the cell is too wide to tell.",
-        (_map("As printed", least[PRINTED], region), _map("Repaired", least[REPAIRED], region)),
-    )
-
-
-def _map(title: str, cells: Cells, region: Region) -> shapes.Panel:
-    present = sorted({i for _, i in cells if i is not None})
-
-    def drawn() -> Iterator[shapes.Shape]:
-        for index in [None, *present]:
-            part = shapes.merged((*box[0], *box[1]) for box, entry in cells if entry == index)
-            colour = "undecided" if index is None else SHADES[index]
-            yield shapes.Areas(
-                part, colour, name=UNDECIDED if index is None else f"entry {index + 1}"
-            )
-        yield from curves(region)
-
-    names = " and ".join(f"entry {index + 1}" for index in present)
-    told = f"Above the curve of stability all decided cells have {names} as the smallest."
-    return shapes.Panel(title, scale(region), C, drawn, told, 420, 380)

@@ -108,7 +108,7 @@ class Proofs(Numbers):
         return f"{bits} {listed(bounds)}"
 
     def addend(self, item: Json, context: check.Context) -> str:
-        """What is >= 0."""
+        """A factor that is at least 0: a number, the goal, a fact or a square."""
         if isinstance(item, str):
             if re.fullmatch(check.RATIONAL, item):
                 return f"Number {rational(check.rational(item))}"

@@ -11,7 +11,7 @@ Json = Any
 
 
 class NotAcceptedError(ValueError):
-    """The certificate does not prove its statement, or is none."""
+    """The file is no certificate, or does not prove its statement."""
 
 
 class Reading(NamedTuple):

@@ -228,7 +228,7 @@ class Scene:
         yield self.collapse((o, s, c)) if self.collapses else self.last((o, s, c))
 
     def head(self) -> str:
-        """What is cited, and that it is proved."""
+        """The head of the file: the cited theorems, with their proofs."""
         modules = ["Flow", "Sharper"] if self.collapses else ["Flow"]
         proofs = ["exact Flow.proved", "exact (Sharper.proved SharperStep.citations)"]
         kinds = {row.kind for row in self.steps}
@@ -540,7 +540,7 @@ Qed."""
     cbn [Theorem1.dot Theorem1.position Theorem1.velocity]; lra."""
 
     def end(self, i: int, row: Applied) -> str:
-        """What the row says of a pair."""
+        """The claim of a row that a pair does not meet again, with its proof."""
         kind = row.claim.context.name.removeprefix("flow:")
         number = {"parting": 9, "passing": 11}[kind]
         here = self.at(row)

@@ -1,9 +1,11 @@
-"""Z3 and cvc5 on the public sets that this package carries, beside our own search: `bench --peers`.
+"""Z3 and cvc5 on two public collections, beside our own search.
+
+``python -m tests.measure.peers [--quick]`` prints a table.
 
 Each gets the question whether the givens and the negation of a claim have a solution, as SMT-LIB
 text and in a process of its own: `unsat` proves the claim, `sat` refutes it. Roots and logarithms
 are unknowns with an equation. Z3 gets no claim with other functions, as it has none of them. The
-peers are optional (`pip install 'verify-collapse[peers]'`); those that are missing are named.
+peers are optional (`pip install z3-solver cvc5`); those that are missing are named.
 """
 
 from __future__ import annotations
@@ -19,6 +21,8 @@ from statistics import median
 from typing import Any
 
 from verify import check
+from verify.cli.columns import table_lines
+from verify.cli.terminal import width
 from verify.language.fold import fold
 from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Constant, Statement
@@ -29,7 +33,8 @@ from verify.prover.budget import WorkBudget
 from verify.wire.questions import decide, read_page_of
 from verify.wire.write import write
 
-DRAWN = Path(__file__).parent.parent / "data" / "drawn"
+ROOT = Path(__file__).resolve().parents[2]
+DRAWN = ROOT / "tests" / "prover" / "drawn"
 #: For each row and each tool; a process may take so much longer to start.
 SECONDS, START = 5, 20
 #: By the names of their distributions what they are called.
@@ -81,7 +86,7 @@ def peers_table(quick: bool) -> Table:
             rows.append(_counted(collection, tool, own, [solve(problem) for problem in own]))
     title = f"Public sets, {SECONDS} s for each claim"
     if missing:
-        title += f"; not installed: {', '.join(missing)} (pip install 'verify-collapse[peers]')"
+        title += f"; not installed: {', '.join(missing)} (pip install z3-solver cvc5)"
     columns = ["set", "tool", "claims", "decided", "wrong", "median CPU s", "certificates"]
     return table(title, columns, rows)
 
@@ -145,10 +150,11 @@ def _asked(peer: str, problem: Problem) -> Reply:
     text = smt_of(problem.statement, functions=peer == "cvc5")
     if text is None:
         return Reply(UNDECIDED, 0.0)
-    command = [sys.executable, "-m", "verify.measure.peers", peer]
+    command = [sys.executable, "-m", "tests.measure.peers", peer]
+    most = SECONDS + START
     try:
-        done = subprocess.run(  # noqa: S603  this interpreter, on this module
-            command, input=text, capture_output=True, text=True, timeout=SECONDS + START, check=True
+        done = subprocess.run(
+            command, cwd=ROOT, input=text, capture_output=True, text=True, timeout=most, check=True
         )
     except (subprocess.TimeoutExpired, subprocess.CalledProcessError):
         return Reply(UNDECIDED, float(SECONDS))
@@ -272,5 +278,8 @@ def smt_of(statement: Statement, *, functions: bool) -> str | None:
 
 
 if __name__ == "__main__":
-    taken, found = timed(lambda: _ASKED[sys.argv[1]](sys.stdin.read()))
-    print(json.dumps({"answer": found, "seconds": taken}))
+    if sys.argv[1:] in ([], ["--quick"]):
+        print(*table_lines(peers_table("--quick" in sys.argv), width()), sep="\n")
+    else:
+        taken, found = timed(lambda: _ASKED[sys.argv[1]](sys.stdin.read()))
+        print(json.dumps({"answer": found, "seconds": taken}))

@@ -1,35 +1,41 @@
-"""What holds where: Theorem 1 over the plane of its parameters, and the roots of Q for every r.
+"""Enclosures over intervals of one number, for the plots: thresholds, ratios of rows, roots of Q.
 
-The repaired constants are short decimals chosen at one point. Over a region they are formulas: a
-fixed share of the bound below which each may be chosen, so that each row is a claim about r and
-c. (V_0 and delta_theta are those of the committed certificates.)
+The repaired constants are short decimals chosen at one point. Over an interval of r they are
+formulas: a fixed share of the bound below which each may be chosen, so that each row is a claim
+about r. (V_0 and delta_theta are those of the committed certificates.)
 
-The sides of a cell of the plane are intervals of s = r^(1/3) and of c = -cos theta_0. In s both
-thresholds are smooth down to r = 0: the stability threshold is 2s(1+s)/(1+s^3), that of existence
-is 4 s^(3/2)/(1+s^3).
+Each interval is cut into parts, and balls enclose the values on each part. What holds on all parts
+holds at every point. Nothing rests on it but the plots.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 
 from verify.language.record import Record
-from verify.language.statement import PROVED, REFUTED, REMARK, Choice, Constant, Obligation
+from verify.language.statement import (
+    PROVED,
+    REFUTED,
+    REMARK,
+    UNDECIDED,
+    Choice,
+    Constant,
+    Obligation,
+)
 from verify.language.terms import Claim, Term, as_term, sqrt, symbol
-from verify.paper.hypotheses import hypotheses
 from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
-from verify.prover.cover import Box, Field, Values, refined
 from verify.prover.ground import Ground
 from verify.prover.outcome import Ends
+from verify.prover.program import Machine, Program
 from verify.prover.proof import LemmaStep
+from verify.prover.relations import fails, holds
 from verify.prover.rules import Interval
 from verify.prover.session import Session
-from verify.prover.slopes import BITS, Side
 from verify.views.material import Ratios, Roots
 
 FIXED = {"V_0": as_term(1), "delta_theta": as_term(Fraction(1, 10))}
@@ -57,15 +63,6 @@ def _formula(item: Constant | Choice, share: Fraction) -> Constant:
         return item.constant._replace(term=item.base + share * (bound - item.base))
     factor = share if item.direction == "down" else 1 / share
     return item.constant._replace(term=factor * bound)
-
-
-def field_definitions(constants: Iterable[Constant]) -> Iterator[tuple[str, Term]]:
-    """What a field over r and c needs; r and c themselves stay to be defined before it."""
-    yield from FIXED.items()
-    for constant in constants:
-        # phi+ = alpha_0 - phi-, the sum of the roots: the slopes of alpha_0 then cancel.
-        term = symbol("alpha_0") - symbol("phi_minus") if constant.name == "phi_plus" else None
-        yield constant.name, constant.term if term is None else term
 
 
 def at_point(group: str, share: Fraction, parameters: dict[str, Term]) -> Ground:
@@ -120,18 +117,9 @@ def _is_algebraic(ground: Ground, row: Obligation) -> bool:
 #: Just beyond (3-√5)/2 = 0.38196…, the cube root of r_stabi = 9-4√5.
 WIDTH = Fraction(49, 128)
 
-INPUTS = ("s", "c")
-CUBE = ("r", symbol("s") ** 3)
-
-#: All of them: r up to just beyond r_stabi, any angle.
-PLANE: Box = ((Fraction(0), WIDTH), (Fraction(0), Fraction(1)))
-
 #: The share of its bound at which each repaired constant stands.
 SHARE = Fraction(1, 2)
 WHOLE = Fraction(1)
-
-#: How many times a side of the plane is halved.
-DEPTH = 7
 
 #: r_stabi = 9 - 4√5 = 0.0557280900008…; intervals of r end just below it.
 END = Fraction("0.055728")
@@ -141,27 +129,76 @@ FACTOR = 2
 
 ROOT_CELLS = 240
 
+#: Each interval is cut into so many parts, and has so many bits, which is plenty for its width.
+PARTS = 8
+BITS = 64
 
-# --- the plane -----------------------------------------------------------------------------------
+
+# --- on an interval ------------------------------------------------------------------------------
+
+#: The value of a term on each part of an interval; None where it is undefined or not enclosed.
+Values = Sequence[balls.Ball | None]
+
+
+class Curves:
+    """Terms as functions of one number.
+
+    Args:
+        letter: the number.
+        definitions: a term for each further name, in order.
+    """
+
+    def __init__(self, letter: str, definitions: Iterable[tuple[str, Term]] = ()) -> None:
+        self._machine = Machine(Program((letter,)), balls.BallArithmetic())
+        for name, term in definitions:
+            self._machine.program.define(name, term)
+
+    def on(self, side: Ends, terms: Sequence[Term]) -> list[Values]:
+        """The values of each term on the parts of an interval."""
+        slots = [self._machine.program.add(term) for term in terms]
+        low, step = side[0], (side[1] - side[0]) / PARTS
+        with balls.precision(BITS):
+            ends = [balls.from_fraction(low + k * step) for k in range(PARTS + 1)]
+            runs = [self._machine.run((balls.hull(*pair),)).values for pair in pairwise(ends)]
+            return [[run[slot] for run in runs] for slot in slots]
+
+
+def hull(values: Values) -> Ends | None:
+    """Bounds on a whole interval."""
+    found = [balls.ends(value) for value in values if value is not None]
+    if len(found) < len(values):
+        return None
+    return min(low for low, _ in found), max(high for _, high in found)
+
+
+def verdict(relation: str, left: Values, right: Values) -> str:
+    """Whether a claim holds, or fails, at every point of an interval."""
+    found = set()
+    for a, b in zip(left, right, strict=True):
+        if a is None or b is None:
+            return UNDECIDED
+        found.add(PROVED if holds(relation, a, b) else REFUTED if fails(relation, a, b) else "")
+    return found.pop() or UNDECIDED if len(found) == 1 else UNDECIDED
+
+
+def ratio(left: Values, right: Values) -> Ends | None:
+    """Bounds of left/right on an interval, if both are positive."""
+    pairs = [(a, b) for a, b in zip(left, right, strict=True) if a is not None and b is not None]
+    if len(pairs) < len(left) or not all(a > 0 and b > 0 for a, b in pairs):
+        return None
+    with balls.precision(BITS):
+        return hull([a / b for a, b in pairs])
+
+
+# --- the thresholds ------------------------------------------------------------------------------
 
 
 @cache
-def stability() -> Claim:
-    """The hypothesis that the construction needs."""
-    claim = next(row.claim for row in hypotheses() if row.name == "hypotheses.stability")
-    if not isinstance(claim, Claim):
-        raise TypeError("the hypothesis compares two numbers")
-    return claim
+def threshold_boxes(cells: int) -> Mapping[str, list[tuple[Ends, Ends]]]:
+    """The two thresholds of c over intervals of s = r^(1/3): boxes that contain the curves.
 
-
-def plane(group: str, share: Fraction = SHARE) -> Field:
-    """The constants of a set over the plane."""
-    return Field(INPUTS, (CUBE, *field_definitions(formulas(group, share))))
-
-
-@cache
-def threshold_boxes(cells: int) -> dict[str, list[Box]]:
-    """Enclosures of the two thresholds of c over intervals of s: boxes that contain the curves."""
+    In s both are smooth down to r = 0: stability is 2s(1+s)/(1+s^3), existence 4s^(3/2)/(1+s^3).
+    """
     s = symbol("s")
     root = symbol("q")  # q = s^(1/2), so that the second one is rational too
     curves = {
@@ -171,42 +208,29 @@ def threshold_boxes(cells: int) -> dict[str, list[Box]]:
     return {name: list(_curve(*curve, cells)) for name, curve in curves.items()}
 
 
-def _curve(term: Term, letter: str, end: Fraction, power: int, cells: int) -> Iterable[Box]:
-    field, count = Field((letter,), ()), power * cells
-    with balls.precision(BITS):
-        for index in range(count):
-            low, high = end * index / count, end * (index + 1) / count
-            found = field.on(((low, high),)).ends(term)
-            if found is not None:
-                yield (low**power, high**power), found
+def _curve(
+    term: Term, letter: str, end: Fraction, power: int, cells: int
+) -> Iterator[tuple[Ends, Ends]]:
+    curves, count = Curves(letter), power * cells
+    for index in range(count):
+        low, high = end * index / count, end * (index + 1) / count
+        yield (low**power, high**power), _enclosed(curves, (low, high), (term,))[0]
 
 
-# --- which entry of the min that bounds eta_bar is the least --------------------------------------
-
-
-@cache
-def least_entries(group: str, depth: int = DEPTH - 1) -> list[tuple[Box, int | None]]:
-    """The cells of the plane, each with the entry that is the least at every point, if one is."""
-    field = plane(group, WHOLE)
-    constants = {constant.name: constant for constant in formulas(group, WHOLE)}
-    slots = [field.slot(entry) for entry in constants[f"{group}.eta_bar"].term.children]
-    gate = field.slots({"stability": stability()})["stability"]
-
-    def judge_cell(values: Values, _before: int | None) -> tuple[int | None, bool] | None:
-        admissible = values.judge(gate)
-        if admissible == REFUTED:
-            return None
-        least = values.least(slots) if admissible == PROVED else None
-        return least, least is not None
-
-    found = refined(field, PLANE, depth, None, judge_cell)
-    return [(box, least) for box, _, least in found]
+def _enclosed(curves: Curves, side: Ends, terms: Sequence[Term]) -> list[Ends]:
+    found = []
+    for term, values in zip(terms, curves.on(side, terms), strict=True):
+        ends = hull(values)
+        if ends is None:
+            raise ValueError(f"{term} has no enclosure")
+        found.append(ends)
+    return found
 
 
 # --- how close the two sides are, over r at theta_0 = pi ------------------------------------------
 
 
-def intervals() -> list[Side]:
+def intervals() -> list[Ends]:
     """Intervals of r that shrink by a fixed factor towards both ends."""
     left, right = (_distances(Fraction(1, part)) for part in (4, 8))
     return list(pairwise([*reversed(left), *(END - x for x in right[1:])]))
@@ -220,23 +244,26 @@ def _distances(share: Fraction) -> list[Fraction]:
     return distances
 
 
+def set_over_r(group: str, share: Fraction) -> Curves:
+    """The constants of a set as functions of r, at theta_0 = pi."""
+    known = ((constant.name, constant.term) for constant in formulas(group, share))
+    return Curves("r", (("c", as_term(1)), *FIXED.items(), *known))
+
+
 @cache
 def ratios(group: str, share: Fraction) -> list[Ratios]:
     """The rows of a set whose two sides are positive, from the largest ratio to the smallest."""
-    field = Field(("r",), (("c", as_term(1)), *field_definitions(formulas(group, share))))
-    kinds = sorted_rows(group, share)
-    slots = field.slots(kinds.claims)
-    boxes: dict[str, list[tuple[Side, Ends]]] = {row.name: [] for row in kinds.open}
+    curves, kinds = set_over_r(group, share), sorted_rows(group, share)
+    sides = [side for claim in kinds.claims.values() for side in (claim.lhs, claim.rhs)]
+    boxes: dict[str, list[tuple[Ends, Ends]]] = {row.name: [] for row in kinds.open}
     verdicts: dict[str, set[str]] = {row.name: set() for row in kinds.open}
-    with balls.precision(BITS):
-        for side in intervals():
-            values = field.on((side,))
-            for name, slot in slots.items():
-                verdicts[name].add(values.judge(slot))
-                ends = values.ratio(slot)
-                positive = values.positive(slot[1]) and values.positive(slot[2])
-                if positive and ends is not None and ends[1] < FACTOR * ends[0]:
-                    boxes[name].append((side, ends))
+    for side in intervals():
+        values = iter(curves.on(side, sides))
+        for (name, claim), left, right in zip(kinds.claims.items(), values, values, strict=True):
+            verdicts[name].add(verdict(claim.relation, left, right))
+            ends = ratio(left, right)
+            if ends is not None and ends[1] < FACTOR * ends[0]:
+                boxes[name].append((side, ends))
     drawn = [
         Ratios(row.name, row.says, row.severity, found, verdicts[row.name], _middle(found))
         for row in kinds.open
@@ -245,7 +272,7 @@ def ratios(group: str, share: Fraction) -> list[Ratios]:
     return sorted(drawn, key=lambda row: row.middle, reverse=True)
 
 
-def _middle(boxes: Iterable[tuple[Side, Ends]]) -> Fraction:
+def _middle(boxes: Iterable[tuple[Ends, Ends]]) -> Fraction:
     """An upper bound of the ratio halfway between the ends, or where it is next enclosed."""
     return min(boxes, key=lambda pair: abs(pair[0][0] - END / 2))[1][1]
 
@@ -260,17 +287,8 @@ def roots() -> list[Roots]:
     terms: tuple[Term, ...] = (
         r_of_m, -(m**3), real_part, sqrt(imaginary_square), -r_of_m, -(r_of_m**3)
     )  # fmt: skip
-    field, found = Field(("m",), ()), []
-    with balls.precision(BITS):
-        for index in range(ROOT_CELLS):
-            side = (Fraction(index, ROOT_CELLS), Fraction(index + 1, ROOT_CELLS))
-            values = field.on((side,))
-            found.append(Roots(side, *(_enclosed(values, term) for term in terms)))
+    curves, found = Curves("m"), []
+    for index in range(ROOT_CELLS):
+        side = (Fraction(index, ROOT_CELLS), Fraction(index + 1, ROOT_CELLS))
+        found.append(Roots(side, *_enclosed(curves, side, terms)))
     return found
-
-
-def _enclosed(values: Values, term: Term) -> Ends:
-    ends = values.ends(term)
-    if ends is None:
-        raise ValueError("a root of Q has no enclosure")
-    return ends

@@ -13,7 +13,7 @@ from __future__ import annotations
 import json
 import sys
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import redirect_stdout
 from fractions import Fraction
 from io import StringIO
@@ -22,7 +22,7 @@ from pathlib import Path
 from tests.coq.closing import BALLS, BUILT, ROOT, module, unread
 from verify import check
 from verify.cli import main
-from verify.paper.in_coq import IN_COQ
+from verify.paper.in_coq import CITED_IN_COQ, IN_COQ
 from verify.wire.coq.export import export
 
 #: What Theorem1.v says and Pinned.v says once more, each of them proved.
@@ -43,6 +43,15 @@ POINTS = (
     "  d s d_0 y -> Theorem1.collapse d (1 / 100) s (463 / 5000000000000)",
     "  (- cos (PI * (5 / 6))) (1 / 10) := Angle.three_balls.",
 )
+#: Which collapses there are, what becomes of scenes, and the spectrum.
+COLLAPSES = (
+    "no_triangle", "least_angle", "bounded_impulse", "no_spin", "finite_or_endless", "finite_if",
+)  # fmt: skip
+MATRIX = ("basis_theorem", "matrix_theorem", "stated_theorem", "one_triple_theorem")
+VALUES = (
+    "characteristic_theorem", "spectrum_theorem", "eigenvector_theorem", "parameter_theorem",
+    "orbit_theorem",
+)  # fmt: skip
 #: What it means that the program accepts the bytes of a certificate with a statement's digest.
 FILES = (
     "From Verify Require Json DecodeStatement AcceptsFiles PinnedFiles.",
@@ -69,9 +78,9 @@ AFTER_FLOW = {"Sharper": "sharper", "AsPrinted": "printed-set"}
 PARTS = ("the_nodes", "the_contexts", "the_rows", "the_citations", "the_statement")
 
 
-def conjunction(prefix: str) -> str:
+def conjunction(prefix: str, sentences: Iterable[str] = SENTENCES) -> str:
     """What is said of three balls, by names with a prefix."""
-    return " /\\ ".join(f"{prefix}{name}" for name in SENTENCES)
+    return " /\\ ".join(f"{prefix}{name}" for name in sentences)
 
 
 def dispersing(name: str) -> str:
@@ -130,7 +139,12 @@ def _coordinates(rows: list[list[object]]) -> str:
 
 def discharging() -> list[str]:
     """The theorems and definitions in Coq that stand for sentences taken on trust."""
-    sentences = [names for found in IN_COQ.values() for names in found.values()]
+    sentences = [
+        names
+        for known in (IN_COQ, CITED_IN_COQ)
+        for found in known.values()
+        for names in found.values()
+    ]
     return [*dict.fromkeys(name for names in sentences for name in names)]
 
 
@@ -189,6 +203,17 @@ def everything(folders: list[Path]) -> str:
         "From Verify Require PinnedPrintedSet.",
         "Definition printed_set : PinnedPrintedSet.printed_set_theorem",
         "  := PinnedPrintedSet.printed_set_proved.",
+        "From Verify Require PinnedClassification PinnedPrintedSign PinnedSpectrum.",
+        f"Definition classification : {conjunction('PinnedClassification.', COLLAPSES)}",
+        "  := PinnedClassification.classification_proved.",
+        "Definition printed_sign : PinnedPrintedSign.printed_sign_theorem",
+        "  := PinnedPrintedSign.printed_sign_proved.",
+        "Definition not_as_printed : ~ PinnedPrintedSign.as_printed",
+        "  := PinnedPrintedSign.false_as_printed.",
+        f"Definition matrix : {conjunction('PinnedSpectrum.', MATRIX)}",
+        "  := PinnedSpectrum.matrix_proved.",
+        f"Definition spectrum : {conjunction('PinnedSpectrum.', VALUES)}",
+        "  := PinnedSpectrum.spectrum_proved.",
         "From Verify Require PinnedSeparatrix SeparatrixProof.",
         "Definition separatrix : PinnedSeparatrix.separatrix_theorem",
         "  := SeparatrixProof.separatrix.",
@@ -204,7 +229,8 @@ def everything(folders: list[Path]) -> str:
         lines.append(f"  := {proof}.")
     names = "".join(f", true_{name}" for name in own)
     main = f"soundness, files, theorem_1, point, angle, {', '.join(map(compiled, scenes))}"
-    main += ", Pinned.collapsing_scene, printed_set, separatrix, discharged"
+    main += ", Pinned.collapsing_scene, printed_set, separatrix, discharged, classification"
+    main += ", printed_sign, not_as_printed, matrix, spectrum"
     lines.append(f"Definition everything := ({main}{names}).")
     return "\n".join([*lines, "Print Assumptions everything.", ""])
 

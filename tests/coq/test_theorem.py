@@ -10,7 +10,7 @@ import re
 from pathlib import Path
 
 from tests.coq.everything import SENTENCES, conjunction, discharging
-from verify.paper.in_coq import IN_COQ
+from verify.paper.in_coq import CITED_IN_COQ, IN_COQ, WHOLE_IN_COQ
 from verify.wire.coq.beside import beside
 from verify.wire.coq.export import export
 
@@ -189,7 +189,8 @@ def test_what_coq_proves_of_the_sentences_taken_on_trust_is_pinned() -> None:
     for name in discharging():
         file, _, theorem = name.partition(".")
         text = (SOURCES / f"{file}.v").read_text()
-        kinds = "Definition|Record" if file in ("Theorem1", "Separatrix") else "Theorem|Lemma"
+        defines = file in ("Theorem1", "Separatrix", "Spectrum")
+        kinds = "Definition|Record|Fixpoint" if defines else "Theorem|Lemma"
         assert len(re.findall(rf"^({kinds}) {theorem}\b", text, re.MULTILINE)) == 1, name
         assert pinned(name), name
     assert not pinned("Trajectory.cosine_is")
@@ -211,6 +212,25 @@ def test_the_sentences_in_coq_are_those_of_the_statements() -> None:
     assert all(len(sentences) == 1 for sentences in said.values())
     assert [*IN_COQ["step"]] == [item["name"] for item in by_theorem["step"]]
     assert [*IN_COQ["separatrix"]] == [item["name"] for item in by_theorem["separatrix"]]
+
+
+def test_what_coq_proves_of_cited_theorems_and_as_a_whole_is_there() -> None:
+    statements = {
+        statement["theorem"]: statement
+        for path in ROOT.glob("certificates/*/statement.json")
+        for statement in [json.loads(path.read_bytes())]
+    }
+    for theorem, cited in CITED_IN_COQ.items():
+        assert {cite["theorem"] for cite in statements[theorem]["cites"]} == {*cited}
+    for theorem in WHOLE_IN_COQ:
+        needed = {
+            one["name"] for one in statements[theorem]["assumptions"] if one["kind"] != "definition"
+        }
+        assert needed <= {*IN_COQ[theorem]}
+        assert theorem in CITED_IN_COQ or not statements[theorem]["cites"]
+    assert [name for names in WHOLE_IN_COQ.values() for name in names] == [
+        "PinnedPrintedSign.printed_sign_proved"
+    ]
 
 
 def test_the_theorem_about_files_is_the_one_on_the_page() -> None:

@@ -32,7 +32,7 @@ def run(options: Options) -> int:
     bits = integer("--precision", options.precision, 2, MAX_PRECISION)
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = cite_spectrum()
-    document = spectrum_document(outcome)
+    document = spectrum_document(outcome, PAPER)
     text = [*screen("Spectral claims, for every r in ]0,1[", outcome, PAPER)]
     if r is not None:
         from verify.paper.commands import eigenvalues  # loaded only where it is used

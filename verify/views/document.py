@@ -14,6 +14,7 @@ from verify.language.statement import (
     Cite,
     Constant,
     Obligation,
+    Publication,
 )
 from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
@@ -61,14 +62,16 @@ def document(outcome: Outcome, as_printed: Mapping[str, str] | None = None) -> d
     }
 
 
-def claims_document(outcome: Outcome, command: str, form: str) -> dict[str, Any]:
+def claims_document(
+    outcome: Outcome, command: str, form: str, paper: Publication | None = None
+) -> dict[str, Any]:
     """A theorem about all values as one JSON document: its rows are its claims."""
     typesetter = words.letters(outcome)
     return {
         "format": form,
         "command": command,
         "verdict": outcome.verdict,
-        "headline": words.headline(outcome),
+        "headline": words.headline(outcome, paper),
         "theorem": outcome.statement.title,
         "assumptions": [
             assumption_document(a) for a in (*outcome.assumptions, *outcome.printed_assumptions)

@@ -55,7 +55,7 @@ def screen(
     (cite,) = outcome.statement.cites
     yield "Theorem 1 for all parameters"
     yield ""
-    yield from printed_lines(as_printed)
+    yield from printed_lines(as_printed, paper)
     yield from _argument(printed, paper)
     yield f"The theorem with repaired constants: {words.headline(outcome)}"
     yield ""
@@ -127,7 +127,7 @@ def printed_screen(
         "-cos θ₀ ≤ 1 in the plane of φ⁻/(φ⁺)², between 0 and 1, and φ⁺, at V₀ = 1 and δ_θ = 1/10."
     )
     yield ""
-    yield from printed_lines(as_printed)
+    yield from printed_lines(as_printed, paper)
     yield "What the claim needs all the same: room for the angle at the start, which the set fixes."
     yield ""
     found_all = conjunction(outcome.decisions.values())

@@ -42,7 +42,7 @@ def screen(
     """
     yield f"Theorem 1 ({outcome.statement.theorem}) at {parameters_told(outcome)}"
     yield ""
-    yield from printed_lines(as_printed or {})
+    yield from printed_lines(as_printed or {}, paper)
     sets = [group for group in words.groups(outcome) if group != HYPOTHESES]
     yield from _hypotheses(outcome, paper)
     for group in sets:
@@ -60,10 +60,11 @@ def screen(
     yield _verdict(outcome, paper, sets)
 
 
-def printed_lines(verdicts: Mapping[str, str]) -> Iterator[str]:
+def printed_lines(verdicts: Mapping[str, str], paper: Publication) -> Iterator[str]:
     """Whether the theorem is true as it is printed, and whether its set is right."""
     if "sign" in verdicts:
-        told = f"{verdicts['sign']} (certificates/printed-sign)"
+        is_in_coq = f"{paper.theorem}, the sign as printed" in paper.whole_in_coq
+        told = f"{verdicts['sign']}{' (Coq)' * is_in_coq}, certificates/printed-sign"
         yield f"Theorem 1 as printed, with < in (4.10): {told}"
     if "set" in verdicts:
         yield (

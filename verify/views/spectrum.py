@@ -21,9 +21,9 @@ FORMAT = "verify-spectrum/1"
 EXTRA_BITS = 16
 
 
-def spectrum_document(outcome: Outcome) -> dict[str, Any]:
+def spectrum_document(outcome: Outcome, paper: Publication) -> dict[str, Any]:
     """The outcome as one JSON document; every number is a string."""
-    return claims_document(outcome, "spectrum", FORMAT)
+    return claims_document(outcome, "spectrum", FORMAT, paper)
 
 
 def point_document(r: list[Fraction], spectrum: Spectrum, bits: int) -> dict[str, Any]:

@@ -77,18 +77,20 @@ SHOWN_BITS = 192
 # --- verdicts ------------------------------------------------------------------------------------
 
 
-def headline(outcome: Outcome) -> str:
+def headline(outcome: Outcome, paper: Publication | None = None) -> str:
     """The verdict in a few words.
 
-    What is proved from estimates is *conditionally* proved. Where a hypothesis does not hold, a
-    theorem does not apply.
+    What is proved from estimates is *conditionally* proved, unless Coq proves these sentences.
+    Where a hypothesis does not hold, a theorem does not apply.
     """
     if outcome.verdict == REFUTED and group_fails(outcome, HYPOTHESES):
         return DOES_NOT_APPLY
     if outcome.verdict != PROVED:
         return outcome.verdict
-    kinds = {assumption.kind for assumption in outcome.assumptions}
-    return PROVED if kinds <= set(GRANTED) else CONDITIONALLY_PROVED
+    theorem = outcome.statement.theorem
+    in_coq = () if paper is None else paper.in_coq.get(theorem, ())
+    open_kinds = {one.kind for one in outcome.assumptions if one.name not in in_coq}
+    return PROVED if open_kinds <= set(GRANTED) else CONDITIONALLY_PROVED
 
 
 def group_fails(outcome: Outcome, group: str) -> bool:
@@ -99,7 +101,7 @@ def group_fails(outcome: Outcome, group: str) -> bool:
 
 def verdict_text(outcome: Outcome, paper: Publication) -> str:
     """The headline, with the number of assumptions on which a proof rests."""
-    found = headline(outcome)
+    found = headline(outcome, paper)
     return found if outcome.verdict != PROVED else f"{found}, given {given_by(outcome, paper)}"
 
 
@@ -134,14 +136,17 @@ def given_by(outcome: Outcome, paper: Publication) -> str:
 def believed(outcome: Outcome, paper: Publication) -> str:
     """Which sentences are believed, and which Coq proves, of those that the verdict rests on.
 
-    Coq has definitions as well; that they say what is meant is believed.
+    Coq has definitions as well; that they say what is meant is believed. Where Coq proves what is
+    cited, the verdict rests on none of the sentences behind that, but on its definitions.
     """
     theorem = outcome.statement.theorem
     own = [(theorem, one) for one in outcome.own_assumptions]
+    cited = list(_cited(theorem, outcome.statement.cites, paper))
     known: dict[Assumption, bool] = {}
-    for theorem, one in [*own, *_cited(outcome.statement.cites)]:
+    for theorem, one in [*own, *cited]:
         known[one] = known.get(one, True) and one.name in paper.in_coq.get(theorem, ())
     proved = [one.name for one, found in known.items() if found and one.kind != DEFINITION]
+    proved += [f"what is used of {name}" for name in cited_in_coq(outcome, paper)]
     others = [one for one, found in known.items() if not found or one.kind == DEFINITION]
     names = [f"{one.name} ({one.kind})" if one.kind == DEFINITION else one.name for one in others]
     count = f"{len(known)} sentence{'s' * (len(known) != 1)}"
@@ -149,10 +154,21 @@ def believed(outcome: Outcome, paper: Publication) -> str:
     return f"Rests on {count}. Believed: {', '.join(names) or 'none'}. Proved in Coq: {list_}."
 
 
-def _cited(cites: Iterable[Cite]) -> Iterator[tuple[str, Assumption]]:
+def cited_in_coq(outcome: Outcome, paper: Publication) -> list[str]:
+    """The names of the theorems that a statement cites and Coq proves, as far as they are used."""
+    proved = paper.cited_in_coq.get(outcome.statement.theorem, ())
+    return [cite.name for cite in outcome.statement.cites if cite.theorem in proved]
+
+
+def _cited(
+    theorem: str, cites: Iterable[Cite], paper: Publication
+) -> Iterator[tuple[str, Assumption]]:
+    proved = paper.cited_in_coq.get(theorem, ())
     for cite in cites:
-        yield from ((cite.theorem, one) for one in cite.assumptions)
-        yield from _cited(cite.cites)
+        is_proved = cite.theorem in proved
+        found = [(cite.theorem, one) for one in cite.assumptions]
+        found += _cited(cite.theorem, cite.cites, paper)
+        yield from ((by, one) for by, one in found if not is_proved or one.kind == DEFINITION)
 
 
 def cited_as(cite: Cite, paper: Publication) -> str:
@@ -170,7 +186,7 @@ def summary(outcome: Outcome, paper: Publication, title: str = "") -> str:
     parts = [counts(outcome, role) for role in (NEEDED, PRINTED)]
     rows = "; ".join(part for part in parts if part)
     title = title or outcome.statement.title
-    return f"{headline(outcome)}: {title}: {rows}; given {given_by(outcome, paper)}"
+    return f"{headline(outcome, paper)}: {title}: {rows}; given {given_by(outcome, paper)}"
 
 
 def in_letters(title: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from base64 import b64encode
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from importlib.resources import files as package_files
 from typing import Any
 
@@ -21,6 +21,7 @@ from verify.language.statement import (
     REMARK,
     REPAIRED,
     SLIP,
+    Publication,
 )
 from verify.language.terms import Claim
 from verify.prover.decimals import outward
@@ -84,11 +85,12 @@ def files(material: Material, *, draw: bool) -> dict[str, bytes]:
     found = _content(material) | {"pictures": pictures, "drawn": drawn}
     parts = list(_parts(found))
     found |= {"contents": [part for part in parts if part.short], "STYLE": STYLE}
-    pages = {part.file: in_html("page.j2", found | {"parts": [part]}, FILTERS) for part in parts}
+    asked = _asked(material.paper)
+    pages = {part.file: in_html("page.j2", found | {"parts": [part]}, asked) for part in parts}
     return {
         **{name: content.encode() for name, content in joined(pages, draw).items()},
         STYLE: style().encode(),
-        "index.md": in_markdown("page.j2", found | {"parts": parts}, FILTERS).encode(),
+        "index.md": in_markdown("page.j2", found | {"parts": parts}, asked).encode(),
         "constants.tex": found["latex"].encode(),
         **made,
     }
@@ -234,20 +236,16 @@ def of_severity(found: Iterable[rows.Row], severity: str | None) -> list[rows.Ro
     return [(row, decision) for row, decision in found if row.severity == severity]
 
 
-#: What the template asks of outcomes and rows.
-FILTERS = (
-    *(
-        constant,
-        words.constants_of,
-        words.counts,
-        words.headline,
-        in_numbers,
-        of_severity,
-        place,
-        title,
-    ),
-    *(rows.of_role, rows.rows_as_printed, rows.with_verdict),
-)
+def _asked(paper: Publication) -> tuple[Callable[..., Any], ...]:
+    """What the template asks of outcomes and rows."""
+
+    def headline(outcome: Outcome) -> str:
+        return words.headline(outcome, paper)
+
+    return (
+        constant, headline, words.constants_of, words.counts, in_numbers, of_severity, place, title,
+        rows.of_role, rows.rows_as_printed, rows.with_verdict,
+    )  # fmt: skip
 
 
 def _content(material: Material) -> dict[str, Any]:

@@ -130,7 +130,7 @@ class _Part:
         yield rf"\section{{{words(begun(title, self.names))}}}"
         if is_about(self.outcome, self.paper):
             yield rf"About {words(self.paper.authors)}, \emph{{{words(self.paper.title)}}}.\par"
-        yield rf"Verdict: \textbf{{{headline(self.outcome)}}},"
+        yield rf"Verdict: \textbf{{{headline(self.outcome, self.paper)}}},"
         yield f"given {words(given_by(self.outcome, self.paper))}."
         if self.statement.parameters:
             values = self.formulas.values(parameters_of(self.outcome))
@@ -162,7 +162,7 @@ class _Part:
 
     def _theorem(self) -> Iterator[str]:
         kind = "theorem" if self.outcome.verdict == PROVED else "statement"
-        note = "" if kind == "theorem" else f"[{headline(self.outcome)}]"
+        note = "" if kind == "theorem" else f"[{headline(self.outcome, self.paper)}]"
         yield rf"\begin{{{kind}}}{note}\label{{{self._key('theorem')}}}"
         if self.words:
             yield self.words

@@ -18,6 +18,7 @@ from contextlib import redirect_stdout
 from fractions import Fraction
 from io import StringIO
 from pathlib import Path
+from typing import Any
 
 from tests.coq.closing import BALLS, BUILT, ROOT, module, unread
 from verify import check
@@ -71,6 +72,8 @@ COLLAPSING = {
     "in-space": ("01 12", "120", "6277/20000 7933/25000 97079/100000 19831/20000"),
     "cut": ("01", "012", "305233/10000000 153313/5000000 486003/500000 486521/500000"),
 }
+#: The scenes with finitely many collisions, which are not all followed.
+FINITE = ("on-a-line", "spinning", "turning")
 #: Those whose certificates are made here; the others' are committed.
 OWN_SCENES = Path(__file__).with_name("scenes")
 #: The files of statements that are exported once more, after the flow, as `verify/coq/build` does.
@@ -95,15 +98,27 @@ def collapsing(name: str) -> str:
     return _about_scene(name, "collapses_after", pairs, [*more, *map(_number, bounds.split())])
 
 
+def finite(name: str) -> str:
+    """The same of a scene with finitely many collisions."""
+    scene = tomllib.loads(scene_file(name).read_text(encoding="utf-8"))
+    r, d = _number(scene["r"]), len(scene["positions"][0])
+    says = f"FiniteScenes.finite_after {d} {r} {_scene(scene)} []"
+    file = compiled(name)
+    return f"Theorem {file} : {says}.\nProof. exact Scene_{file}.three_balls. Qed."
+
+
+def _scene(scene: dict[str, Any]) -> str:
+    places, velocities = (_coordinates(scene[key]) for key in ("positions", "velocities"))
+    return f"(Theorem1.Scene {places} {velocities})"
+
+
 def _about_scene(name: str, kind: str, collisions: str, more: list[str]) -> str:
     scene = tomllib.loads(scene_file(name).read_text(encoding="utf-8"))
-    places, velocities = (_coordinates(scene[key]) for key in ("positions", "velocities"))
     pairs = [(f"Theorem1.B{i}", f"Theorem1.B{j}") for i, j in collisions.split()]
     times = "".join(f"exists t_{n}, " for n, _ in enumerate(pairs))
     meetings = "; ".join(f"({i}, {j}, t_{n})" for n, (i, j) in enumerate(pairs))
-    scene_ = f"(Theorem1.Scene {places} {velocities})"
     says = " ".join(
-        (f"{times}Runs.{kind} {len(scene['positions'][0])} {_number(scene['r'])}", scene_,
+        (f"{times}Runs.{kind} {len(scene['positions'][0])} {_number(scene['r'])}", _scene(scene),
          f"[{meetings}]", *more)
     )  # fmt: skip
     file = compiled(name)
@@ -169,7 +184,8 @@ def exports(directory: Path) -> Iterator[str]:
     for scene in sorted(OWN_SCENES.glob("*.toml")):
         made = directory / f"Scene_{compiled(scene.stem)}"
         with redirect_stdout(StringIO()):
-            if code := main(["scene", str(scene), "--out", str(made)]):
+            followed = ["--collisions", "0"] * (scene.stem in FINITE)
+            if code := main(["scene", str(scene), *followed, "--out", str(made)]):
                 raise SystemExit(f"{scene}: no certificate, exit code {code}")
         _export(made, True, made.with_suffix(".v"))
 
@@ -182,7 +198,7 @@ def _export(folder: Path, balls: bool, file: Path) -> None:
 def everything(folders: list[Path]) -> str:
     """The theorems about what is committed, one with another, and what they assume."""
     own = {module(folder): folder for folder in folders}
-    scenes = [*DISPERSING, *COLLAPSING]
+    scenes = [*DISPERSING, *COLLAPSING, *FINITE]
     lines = [f"From Verify Require {name}." for name in own]
     lines += [
         "From Verify Require Meaning Checker Accepted Closed Point Angle Pinned PinnedMeaning.",
@@ -190,11 +206,13 @@ def everything(folders: list[Path]) -> str:
         "From Verify Require Theorem1 FromNumbers.",
         "Open Scope R_scope.",
         *POINTS,
-        f"From Verify Require Runs {' '.join(f'Scene_{compiled(name)}' for name in scenes)}.",
+        "From Verify Require Runs FiniteScenes.",
+        f"From Verify Require {' '.join(f'Scene_{compiled(name)}' for name in scenes)}.",
         "From Coq Require Import List.",
         "Import ListNotations.",
         *map(dispersing, DISPERSING),
         *map(collapsing, COLLAPSING),
+        *map(finite, FINITE),
         "Definition soundness : forall S C, Checker.accepts S C = true ->",
         "  Meaning.citations_true S -> Meaning.true_statement S := Accepted.accepts_sound.",
         f"Definition theorem_1 : {conjunction('Pinned.')}",

@@ -5,8 +5,8 @@ of the balls' places and velocities through it, and `verify/coq/Runs.v` makes a 
 A flight to a collision may be cut into drifts (`verify/coq/FlowDrift.v`). A scene that disperses
 ends in three pairs that never meet again; one that collapses applies the sharper theorem to the
 state that the last collision leaves (`verify/coq/FlowCollapse.v`). Which ball is which is found by
-comparing the first numbers with the scene; Coq checks that. Where what holds at the start shows that
-there are finitely many collisions, Coq decides the criterion itself (`verify/coq/FiniteScenes.v`).
+comparing the first numbers with the scene; Coq checks that. Where what holds at the start shows
+that there are finitely many collisions, Coq decides the criterion (`verify/coq/FiniteScenes.v`).
 """
 
 from __future__ import annotations
@@ -270,9 +270,9 @@ Qed."""
     unfold {names}; lra."""
         yield f"""
 (* All collisions, of every trajectory, are at finitely many times. *)
-Theorem three_balls : FiniteScenes.finite_after {d} ({r}) the_scene_0 [].
+Theorem three_balls : FiniteScenes.finite_after {d} {r} the_scene_0 [].
 Proof.
-  apply (FiniteScenes.run_finite {d} ({r}) [] the_scene_0); [lra | | reflexivity].
+  apply (FiniteScenes.run_finite {d} {r} [] the_scene_0); [lra | | reflexivity].
   {proof}
 Qed."""
 

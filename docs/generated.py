@@ -24,7 +24,7 @@ from verify.check_map import GIVEN
 from verify.cli import _EXIT_CODES, COMMANDS
 from verify.language.statement import NEEDED, OTHERWISE
 from verify.paper.glossary import LETTERS
-from verify.paper.in_coq import IN_COQ
+from verify.paper.in_coq import CITED_IN_COQ, IN_COQ
 from verify.paper.theorem1 import theorem
 from verify.prover.proof import Shape, shapes
 from verify.prover.rules import RULES
@@ -295,8 +295,15 @@ def sentences_of(folder: str) -> list[tuple[str, bool]]:
         if (name := one["name"]) in used
     ]
     cited = [cite["theorem"] for cite in statement["cites"]]
-    inner = (f for f, other in statements().items() if other["theorem"] in cited and "/" not in f)
-    return [*own, *(pair for one in inner for pair in sentences_of(one))]
+    in_coq = CITED_IN_COQ.get(statement["theorem"], {})
+    inner = (
+        (other["theorem"], pair)
+        for folder, other in statements().items()
+        if other["theorem"] in cited and "/" not in folder
+        for pair in sentences_of(folder)
+    )
+    # Where Coq proves what is cited, only its definitions are believed.
+    return [*own, *(pair for name, pair in inner if name not in in_coq or "(" in pair[0])]
 
 
 def letters() -> str:

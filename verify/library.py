@@ -51,7 +51,7 @@ Claims = Mapping[str, Claim] | Iterable[Claim]
 
 #: No publication: a statement of one's own is about no text that the program knows.
 NO_PAPER = Publication(
-    "", "", "", "", lambda _: None, {}, {}, lambda: Notes((), (), (), {}), lambda: "", {}
+    "", "", "", "", lambda _: None, {}, {}, {}, (), lambda: Notes((), (), (), {}), lambda: "", {}
 )
 
 

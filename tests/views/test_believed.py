@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -10,6 +11,7 @@ import pytest
 
 from docs.generated import JUDGES, ROOT, RUNS, believed, believed_and_proved, sharper_givens
 from verify.cli import main
+from verify.paper.commands import pages
 
 
 def line(capsys: pytest.CaptureFixture[str], *words: str) -> str:
@@ -34,8 +36,38 @@ def test_coq_has_proved_all_but_the_definition_of_the_step(
 def test_what_coq_has_not_proved_is_believed(capsys: pytest.CaptureFixture[str]) -> None:
     found = line(capsys, "classification")
     assert found.startswith("Rests on 14 sentences. Believed: ")
-    assert found.endswith("glue-second. Proved in Coq: none.")
-    assert "glue-impulse" in found
+    believed, _, proved = found.partition(" Proved in Coq: ")
+    assert proved == "cauchy-schwarz, finite-length, glue-classification."
+    assert believed.endswith("glue-second.")
+    assert "glue-impulse" in believed
+
+
+def test_what_coq_proves_of_a_cited_theorem_needs_none_of_its_sentences(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    found = line(capsys, "spectrum")
+    believed, _, proved = found.partition(" Proved in Coq: ")
+    assert believed == (
+        "Rests on 14 sentences. Believed: collision-law (definition), linear-model (definition), "
+        "hard-spheres (definition), alternating-run (definition)."
+    )
+    assert proved.endswith("no-triangular-collapse, what is used of classification.")
+    # One word in both: the five sentences that are mere glue are theorems in Coq.
+    assert main(["spectrum"]) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    assert main(["spectrum", "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert "Verdict: proved: Spectral claims" in text
+    assert document["headline"] == document["verdict"] == "proved"
+
+
+def test_the_first_screen_says_that_coq_refutes_the_printed_sign(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    for words in (["--r", "0.03"], ["--all"]):
+        main(["theorem1", *words])
+        first = " ".join(capsys.readouterr().out.split()).partition("Its set as printed")[0]
+        assert first.endswith("with < in (4.10): refuted (Coq), certificates/printed-sign ")
 
 
 def test_the_table_of_the_pages_says_the_same() -> None:
@@ -47,7 +79,11 @@ def test_the_table_of_the_pages_says_the_same() -> None:
     assert table["theorem1 --r R"] == table["theorem1 --all"]
     assert table["separatrix --all"][2] == "limit-map (definition), unending (definition)"
     assert table["map"][0] == "the theorems, not the log"
-    assert table["classification"][1] == "–"
+    assert table["classification"][1] == "cauchy-schwarz, finite-length, glue-classification"
+    assert table["the printed sign, which makes the theorem false"][1:] == [
+        "glue-as-printed", "hard-spheres (definition), alternating-run (definition)",
+    ]  # fmt: skip
+    assert not re.search("glue|spiral", table["spectrum"][2])
     assert "glue-second" in table["scene: finite"][2]
     assert "scene-collapses" in table["scene: collapses"][2]
 
@@ -113,8 +149,8 @@ def test_the_readme_has_the_table() -> None:
 
 
 def test_all_that_the_sharper_theorem_asks_is_on_its_page() -> None:
-    from verify.paper.sharper.state import GIVENS
+    givens = pages.statement("sharper").context("start").claims
 
     lines = sharper_givens().split("\n")[2:]
-    assert [line.split("`")[1] for line in lines] == [*GIVENS]
+    assert [line.split("`")[1] for line in lines] == [*givens]
     assert "| `speed-start` | η₀ ≤ V₀ |" in lines

@@ -193,9 +193,10 @@ class Publication(Record):
     ``theorem`` is the label of its main theorem, ``printed`` gives what stands in print beside a
     ``\label`` (the number of a formula, a section or a theorem) or None, and ``folders`` says where
     the certificates of cited theorems are. ``in_coq`` has for a theorem the sentences that it takes
-    on trust and Coq proves, by their names. ``notes`` are made where they are shown. ``source`` is
-    the SHA-256 of the text that was read, and ``fatal`` has the names of the rows that refute the
-    theorem if they are taken literally, with what is misprinted there.
+    on trust and Coq proves, by their names, ``cited_in_coq`` the theorems that it cites and Coq
+    proves; ``whole_in_coq`` are those that Coq proves as a whole. ``notes`` are made where they are
+    shown. ``source`` is the SHA-256 of the text that was read, and ``fatal`` has the names of the
+    rows that refute the theorem if they are taken literally, with what is misprinted there.
     """
 
     authors: str
@@ -205,6 +206,8 @@ class Publication(Record):
     printed: Callable[[str], str | None]
     folders: Mapping[str, str]
     in_coq: Mapping[str, Collection[str]]
+    cited_in_coq: Mapping[str, Collection[str]]
+    whole_in_coq: Collection[str]
     notes: Callable[[], Notes]
     source: Callable[[], str]
     fatal: Mapping[str, str]

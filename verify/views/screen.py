@@ -64,7 +64,9 @@ def printed_lines(verdicts: Mapping[str, str], paper: Publication) -> Iterator[s
     """Whether the theorem is true as it is printed, and by which misprint not; and its set."""
     if "sign" in verdicts:
         what = ", ".join(["Theorem 1 as printed", *paper.fatal.values()])
-        yield f"{what}: {verdicts['sign']} (certificates/printed-sign)"
+        is_in_coq = f"{paper.theorem}, the sign as printed" in paper.whole_in_coq
+        told = f"{verdicts['sign']}{' (Coq)' * is_in_coq}, certificates/printed-sign"
+        yield f"{what}: {told}"
     if "set" in verdicts:
         yield (
             f"Its set as printed, with > for <: {verdicts['set']} (certificates/printed-set), with "

@@ -133,14 +133,17 @@ def given_by(outcome: Outcome, paper: Publication) -> str:
 def believed(outcome: Outcome, paper: Publication) -> str:
     """Which sentences are believed, and which Coq proves, of those that the verdict rests on.
 
-    Coq has definitions as well; that they say what is meant is believed.
+    Coq has definitions as well; that they say what is meant is believed. Where Coq proves what is
+    cited, the verdict rests on none of the sentences behind that, but on its definitions.
     """
     theorem = outcome.statement.theorem
     own = [(theorem, one) for one in outcome.own_assumptions]
+    cited = list(_cited(theorem, outcome.statement.cites, paper))
     known: dict[Assumption, bool] = {}
-    for theorem, one in [*own, *_cited(outcome.statement.cites)]:
+    for theorem, one in [*own, *cited]:
         known[one] = known.get(one, True) and one.name in paper.in_coq.get(theorem, ())
     proved = [one.name for one, found in known.items() if found and one.kind != DEFINITION]
+    proved += [f"what is used of {name}" for name in cited_in_coq(outcome, paper)]
     others = [one for one, found in known.items() if not found or one.kind == DEFINITION]
     names = [f"{one.name} ({one.kind})" if one.kind == DEFINITION else one.name for one in others]
     count = f"{len(known)} sentence{'s' * (len(known) != 1)}"
@@ -148,10 +151,21 @@ def believed(outcome: Outcome, paper: Publication) -> str:
     return f"Rests on {count}. Believed: {', '.join(names) or 'none'}. Proved in Coq: {list_}."
 
 
-def _cited(cites: Iterable[Cite]) -> Iterator[tuple[str, Assumption]]:
+def cited_in_coq(outcome: Outcome, paper: Publication) -> list[str]:
+    """The names of the theorems that a statement cites and Coq proves, as far as they are used."""
+    proved = paper.cited_in_coq.get(outcome.statement.theorem, ())
+    return [cite.name for cite in outcome.statement.cites if cite.theorem in proved]
+
+
+def _cited(
+    theorem: str, cites: Iterable[Cite], paper: Publication
+) -> Iterator[tuple[str, Assumption]]:
+    proved = paper.cited_in_coq.get(theorem, ())
     for cite in cites:
-        yield from ((cite.theorem, one) for one in cite.assumptions)
-        yield from _cited(cite.cites)
+        is_proved = cite.theorem in proved
+        found = [(cite.theorem, one) for one in cite.assumptions]
+        found += _cited(cite.theorem, cite.cites, paper)
+        yield from ((by, one) for by, one in found if not is_proved or one.kind == DEFINITION)
 
 
 def cited_as(cite: Cite, paper: Publication) -> str:

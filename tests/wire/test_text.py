@@ -374,7 +374,11 @@ def test_an_induction() -> None:
         ('["b <= x"]', '["b <= x", 3]', "contexts.high.given: '3' claims nothing"),
         ('"2 < b < 3"', '{ claim = "b < 3", uses = ["schwarz"] }', "'schwarz' is no assumption"),
         ('"2 < b < 3"', '{ claim = "b < 3", role = "must" }', "'must' is unknown; write needed"),
-        ('"2 < b < 3"', '{ claim = "b < 3", using = ["ball"] }', "'ball' is no earlier row; write"),
+        (
+            '"2 < b < 3"',
+            '{ claim = "b < 3", using = ["ball"] }',
+            "'ball' is no given or earlier row",
+        ),
         ('"2 < b < 3"', '{ claim = "b < 3", using = ["smal"] }', "did you mean smaller?"),
         ('"2 < b < 3"', '{ claim = "b < 3", by = "magic" }', "'magic' is no technique; write wor"),
         ('"2 < b < 3"', '{ says = "b" }', "rows.number: it has no claim; write one claim"),

@@ -713,15 +713,17 @@ class _Reader:
         }
 
     def _known_rows(self) -> None:
-        """Afterwards the hints name earlier rows."""
+        """Afterwards the hints name givens and earlier rows."""
         rows = list(self.rows)
+        givens = [given.name for context in self.contexts.values() for given in context.givens]
         for row, hint in self.hints.items():
-            earlier = rows[: rows.index(row)]
+            earlier = [*rows[: rows.index(row)], *givens]
             for name in hint.using or ():
                 if name not in earlier:
-                    instead = nearest(name, earlier, "write names of rows before it")
+                    instead = nearest(name, earlier, "write names of givens or rows before it")
                     raise self.places.error(
-                        ["rows", row, "using"], f"{shown(name)} is no earlier row; {instead}"
+                        ["rows", row, "using"],
+                        f"{shown(name)} is no given or earlier row; {instead}",
                     )
 
 

@@ -52,7 +52,7 @@ class WorkBudget:
         *,
         catches: bool = False,
     ) -> None:
-        self.work, self.left = work, work
+        self.work, self.left, self._kept = work, work, 0
         self.watch, self.catches = watch, catches
         self.interrupted = False
         self._end = None if seconds is None else monotonic() + seconds
@@ -74,7 +74,7 @@ class WorkBudget:
     def at_most(self, units: int) -> Iterator[Share]:
         """What is inside ends without an error when it has taken so many units of work."""
         kept, share = max(0, self.left - units), Share()
-        self.left -= kept
+        self.left, self._kept = self.left - kept, self._kept + kept
         try:
             yield share
         except SpentError:
@@ -83,7 +83,7 @@ class WorkBudget:
                 raise
             share.is_over = True
         finally:
-            self.left += kept
+            self.left, self._kept = self.left + kept, self._kept - kept
 
     def begin(self, name: str, rows: int) -> None:
         """A row begins, and with it so many are left."""
@@ -128,12 +128,12 @@ class WorkBudget:
 
     def refill(self) -> None:
         """A new row has all the work before it."""
-        self.left = self.work
+        self.left, self._kept = self.work, 0
 
     @property
     def spent(self) -> int:
         """The units that this row has taken."""
-        return min(self.work, self.work - self.left)
+        return min(self.work, self.work - self._kept - self.left)
 
     def spend(self, units: int) -> None:
         """Count work that is done next.

@@ -32,10 +32,11 @@ MAX_ROWS = 260
 MOST_COLUMNS = 2500
 MOST_ROWS = 800
 MOST_PRODUCTS = 6000
-#: The part of the work that is left which one large programme may take.
+#: The part of the work that is left which one large programme may take, and the least.
 PART = 8
+LEAST = 300_000
 #: The work of one product.
-PRODUCT = 50
+PRODUCT = 20
 
 
 class Multiple(Record):
@@ -56,7 +57,7 @@ def by_linear_sum(question: Question) -> Proof | None:
 def by_products(question: Question, degree: int) -> Proof | None:
     """The same with products of at most so many facts, squares, and multiples of equations."""
     system, proof = System(question), None
-    with question.budget.at_most(question.budget.left // PART):
+    with question.budget.at_most(max(question.budget.left // PART, LEAST)):
         columns = [*islice(_columns(system, degree), MOST_PRODUCTS)]
         most = max(_degree(column.polynomial) for column in columns)
         left = MOST_PRODUCTS - len(columns)

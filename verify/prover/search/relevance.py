@@ -12,31 +12,24 @@ from verify.language.terms import Claim, names_of, parts_of
 from verify.prover.goal import Goal
 from verify.prover.universal import Universal
 
-#: With so many facts all of them are tried at once.
+#: With at most so many facts all of them are tried at first.
 FEW = 8
-#: How many of the nearest facts are tried with which share of the work, in turn; None for all.
-#: Shares are units, or parts of what is left.
-ROUNDS: tuple[tuple[int | None, int, int], ...] = (
-    (0, 150_000, 8),
-    (FEW, 500_000, 8),
-    (2 * FEW, 1_000_000, 8),
-    (None, 10**9, 2),
-    (0, 10**9, 3),
-    (FEW, 10**9, 2),
-    (2 * FEW, 10**9, 1),
-)
+#: How many of the nearest facts are tried (None: all), with how many units of work.
+EARLY: tuple[tuple[int | None, int], ...] = ((0, 150_000), (FEW, 1_000_000), (2 * FEW, 1_500_000))
+EARLY_OF_FEW: tuple[tuple[int | None, int], ...] = ((None, 1_500_000), (0, 1_500_000))
+#: The same, with a part of the work that is left.
+LATE: tuple[tuple[int | None, int], ...] = ((None, 2), (0, 3), (FEW, 2), (2 * FEW, 1))
 
 
 def rounds(goal: Goal, known: Universal) -> Iterator[tuple[frozenset[str], int]]:
     """The facts that are hidden, one set after another, with the units of work for each."""
     names = ranked(goal, facts_around(goal, known))
-    if len(names) <= FEW:
-        yield frozenset(), known.budget.left
-        return
-    for count, units, part in ROUNDS:
+    for count, units in (EARLY_OF_FEW if len(names) <= FEW else EARLY) if names else ():
+        yield frozenset(() if count is None else names[count:]), units
+    for count, part in LATE:
         if count is None or count < len(names):
-            hidden = frozenset() if count is None else frozenset(names[count:])
-            yield hidden, min(units, known.budget.left // part)
+            hidden = frozenset(() if count is None else names[count:])
+            yield hidden, known.budget.left // (part if names else 1)
 
 
 def facts_around(goal: Goal, known: Universal) -> dict[str, Claim]:

@@ -58,6 +58,11 @@ class WorkBudget:
         self._end = None if seconds is None else monotonic() + seconds
         self._row_end = self._end
 
+    @property
+    def is_over(self) -> bool:
+        """Whether the time is over, or the search was interrupted."""
+        return self.interrupted or (self._end is not None and monotonic() > self._end)
+
     @contextmanager
     def part(self, work: int, time: float) -> Iterator[WorkBudget]:
         """A budget with one of so many parts of the work for each row, and of the time left."""

@@ -132,9 +132,11 @@ def decide_page(page: Page, budget: WorkBudget) -> Outcome:
 
 def _by_other_forms(page: Page, name: str, budget: WorkBudget, rows: int) -> Outcome | None:
     """The outcome of the first other form of a row that is decided; None if none is."""
-    for left, (context, row) in zip(range(OTHERS, 0, -1), page.forms[name], strict=False):
-        if budget.interrupted:
+    for left in range(OTHERS, 0, -1):
+        form = None if budget.is_over else next(page.forms[name], None)
+        if form is None:
             break
+        context, row = form
         contexts = () if context is None else (context,)
         asked = page.statement._replace(obligations=(row,), contexts=contexts)
         with budget.part(2 * OTHERS, left * rows + (len(page.forms) > 1)) as share:

@@ -42,7 +42,7 @@ PACKAGED_FILES = {
     },
     "thresholds": {
         "statement.json": "cd4602cefb1bfc76902297d936571f3de8ddb6e51fe4789ca75bdc3f263bc9c5",
-        "certificate.json": "6fcf72e3c0e44dba8f65cb348a5bfb9a1f052f0aa0b970d6b212778a01efd096",
+        "certificate.json": "48f5e286ef807ee68041b7ae2ee2872b9deffb43b84990603047c47a044169ea",
     },
     "spectrum": {
         "statement.json": "cb88e35f0984c1c4533cbdb35be8510235da71449440e01f380931109a05b129",
@@ -123,6 +123,10 @@ PAGES = {
     "step": (
         "step",
         "01d55eec23bd5240fdb2f63c8029466a1b5b27121119d68694533edd3bbebfd3",
+    ),
+    "thresholds": (
+        "thresholds",
+        "0fcf81ba178ce421fce120c7685f98d139c9e100b1f3615c27f7b6cd1525f006",
     ),
 }
 

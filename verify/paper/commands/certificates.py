@@ -22,7 +22,6 @@ from verify.paper.commands import (
     spectrum,
     step,
     theorem1,
-    thresholds,
 )
 from verify.paper.parameters import THEOREM
 from verify.paper.step import STEP
@@ -32,6 +31,7 @@ from verify.spheres.scene.scene_files import read_scene, scene_bytes
 from verify.wire.judge import judged
 
 printed_sign = partial(pages.decide, "printed_sign")
+decided_thresholds = partial(pages.decide, "thresholds")
 
 
 class StoredPoint(Record):
@@ -82,7 +82,7 @@ THEOREMS = (
     Theorem(
         "printed-sign", f"{THEOREM}, the sign as printed", partial(pages.decide, "printed_sign")
     ),
-    Theorem("thresholds", f"{THEOREM} as printed, where it depends", thresholds.decide_thresholds),
+    Theorem("thresholds", f"{THEOREM} as printed, where it depends", decided_thresholds),
     Theorem("spectrum", "THEORSS3.5SpectMatricVitLm", spectrum.decide_spectrum),
     Theorem("classification", "classification", classification.decide_classification),
     Theorem("elsewhere", "elsewhere", elsewhere.decide_elsewhere),

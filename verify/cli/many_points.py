@@ -49,7 +49,7 @@ def _everywhere(options: Options) -> int:
         pages,
         thresholds,
     )
-    from verify.paper.commands.printed_set import verdicts_as_printed
+    from verify.paper.commands.citing import verdicts_as_printed
     from verify.views import everywhere as view
     from verify.views.document import claims_document
 

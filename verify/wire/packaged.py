@@ -34,7 +34,7 @@ PACKAGED_FILES = {
     },
     PRINTED_SET: {
         "statement.json": "0cc7a4cc9fbe85282249c5391d26d9d73b5a7a88e07f9294c400f171538a48b1",
-        "certificate.json": "8d457135e23212e19080676f61793aa27cea5868f29b3863ba4660320ff544da",
+        "certificate.json": "d609cbd1827236a8c8b63f8b7820e6da57acfcff634e2b0b8b0eabea72473a90",
     },
     PRINTED_SIGN: {
         "statement.json": "463af7a92b5e55614165a6db3576bbdc71f2369147ab8e69e1116bd12ed9cd30",
@@ -95,6 +95,10 @@ PAGES = {
     "line": (
         "line",
         "11173689f47e01152018119321d6a085f834d0e19a8c5ded89141920e4b48562",
+    ),
+    "printed_set": (
+        "printed-set",
+        "d9dbbf62f836b38ec5e5e054651113f0d54b131a384efb9369de5570072147a0",
     ),
     "printed_sign": (
         "printed-sign",

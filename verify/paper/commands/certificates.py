@@ -16,7 +16,6 @@ from verify.paper.commands import (
     elsewhere,
     everywhere,
     pages,
-    printed_set,
     scene,
     separatrix,
     spectrum,
@@ -30,7 +29,8 @@ from verify.spheres.scene.decide import UNDECIDED, decide_scene
 from verify.spheres.scene.scene_files import read_scene, scene_bytes
 from verify.wire.judge import judged
 
-printed_sign = partial(pages.decide, "printed_sign")
+decided_set = partial(pages.decide, "printed_set")
+decided_sign = partial(pages.decide, "printed_sign")
 decided_thresholds = partial(pages.decide, "thresholds")
 
 
@@ -78,7 +78,7 @@ THEOREMS = (
     Theorem("step", STEP, step.decide_step),
     Theorem("step-printed", "step-printed", step.decide_step_printed),
     Theorem("theorem1-all", f"{THEOREM} for all parameters", everywhere.decide_everywhere),
-    Theorem("printed-set", f"{THEOREM}, the set as printed", printed_set.decide_printed_set),
+    Theorem("printed-set", f"{THEOREM}, the set as printed", decided_set),
     Theorem(
         "printed-sign", f"{THEOREM}, the sign as printed", partial(pages.decide, "printed_sign")
     ),

@@ -34,15 +34,15 @@ PACKAGED_FILES = {
     },
     PRINTED_SET: {
         "statement.json": "0cc7a4cc9fbe85282249c5391d26d9d73b5a7a88e07f9294c400f171538a48b1",
-        "certificate.json": "8d457135e23212e19080676f61793aa27cea5868f29b3863ba4660320ff544da",
+        "certificate.json": "d609cbd1827236a8c8b63f8b7820e6da57acfcff634e2b0b8b0eabea72473a90",
     },
     PRINTED_SIGN: {
         "statement.json": "463af7a92b5e55614165a6db3576bbdc71f2369147ab8e69e1116bd12ed9cd30",
-        "certificate.json": "3a1f3e7c5341b22747862e00a1527df8e29937f90e479165a21644b4e46bb4ac",
+        "certificate.json": "89babf16199a2031626b0e2e9b1a92642a77685bcc1a5cf4507760ade71c7e10",
     },
     "thresholds": {
         "statement.json": "cd4602cefb1bfc76902297d936571f3de8ddb6e51fe4789ca75bdc3f263bc9c5",
-        "certificate.json": "6fcf72e3c0e44dba8f65cb348a5bfb9a1f052f0aa0b970d6b212778a01efd096",
+        "certificate.json": "48f5e286ef807ee68041b7ae2ee2872b9deffb43b84990603047c47a044169ea",
     },
     "spectrum": {
         "statement.json": "cb88e35f0984c1c4533cbdb35be8510235da71449440e01f380931109a05b129",
@@ -96,6 +96,14 @@ PAGES = {
         "line",
         "928dc7410896cca46bb968e03e2661aa0266bd4db760927a1c7184f37a159043",
     ),
+    "printed_set": (
+        "printed-set",
+        "d9dbbf62f836b38ec5e5e054651113f0d54b131a384efb9369de5570072147a0",
+    ),
+    "printed_sign": (
+        "printed-sign",
+        "8ea8f14ec938f38e9c0f0638e53db830037d51a1aa8c6af00e7444a730dce55c",
+    ),
     "sandwich_above": (
         "outside",
         "0fc5b3ad651103e0ac5a4033d289112bf56c3cb3095efee04cfa6813bb905b52",
@@ -119,6 +127,10 @@ PAGES = {
     "step": (
         "step",
         "fbc3dde261e2ba847277cf9f9c52da0128d16001edf4ca978e3f704e62af7baf",
+    ),
+    "thresholds": (
+        "thresholds",
+        "0fcf81ba178ce421fce120c7685f98d139c9e100b1f3615c27f7b6cd1525f006",
     ),
 }
 

@@ -97,6 +97,19 @@ def as_printed(outcome: Outcome) -> dict[str, str]:
     return {"sign": REFUTED, "set": PROVED}
 
 
+def verdicts_as_printed() -> dict[str, str]:
+    """The verdicts on the theorem with its sign as printed, and on its set with the other sign.
+
+    They are those of the certificates that come with the program; a page that was changed since
+    then is decided anew.
+    """
+    from verify.paper.commands.pages import accepted  # loaded only where it is used
+
+    by_sign = accepted("printed_sign", anew=False).verdict
+    of_set = accepted("printed_set", anew=False).verdict
+    return {"sign": REFUTED if by_sign == PROVED else UNDECIDED, "set": of_set}
+
+
 def _row(name: str) -> str:
     return f"{REPAIRED}.{name}"
 

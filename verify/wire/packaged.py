@@ -46,7 +46,7 @@ PACKAGED_FILES = {
     },
     "spectrum": {
         "statement.json": "cb88e35f0984c1c4533cbdb35be8510235da71449440e01f380931109a05b129",
-        "certificate.json": "d09ec73c9589806e5f2c827c5a4ed00ade745afa283f0d2de681288f61125aac",
+        "certificate.json": "456f0c2fef81984ed7614d69c64c905192956b4b3342861c25f040b54582c30c",
     },
     "classification": {
         "statement.json": "569536f6f737b332a6639a14e1b17d8a66ed12a481014b00afc956fabfa560ab",

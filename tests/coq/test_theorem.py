@@ -9,8 +9,6 @@ import json
 import re
 from pathlib import Path
 
-import pytest
-
 from tests.coq.everything import SENTENCES, conjunction, discharging
 from verify.paper.in_coq import CITED_IN_COQ, IN_COQ, WHOLE_IN_COQ
 from verify.wire.coq.beside import beside
@@ -371,11 +369,11 @@ def test_the_pages_say_the_whole_theorems() -> None:
         )  # fmt: skip
 
 
-@pytest.mark.parametrize(("page", "old", "new"), WEAKER)
-def test_a_page_that_says_less_is_seen(page: str, old: str, new: str) -> None:
-    text = (SOURCES / f"{page}.v").read_text()
-    assert text.count(old) >= 1
-    assert unsaid(page, text.replace(old, new))
+def test_a_page_that_says_less_is_seen() -> None:
+    for page, old, new in WEAKER:
+        text = (SOURCES / f"{page}.v").read_text()
+        assert text.count(old) >= 1, old
+        assert unsaid(page, text.replace(old, new)), (page, old)
 
 
 def test_a_matrix_is_the_same_on_both_pages() -> None:

@@ -258,3 +258,150 @@ def test_the_theorem_about_files_is_the_one_on_the_page() -> None:
     shown = re.findall(r"^Theorem accepts_beside_sound.*?\.$", page, re.DOTALL | re.MULTILINE)
     assert len(shown) == 1
     assert f"{shown[0]}\nProof." in (SOURCES / "AcceptsFiles.v").read_text()
+
+
+#: What the pages on the sign as printed, the collapses and the spectrum have to say, word for word:
+#: a page and the file that it pins could be weakened together.
+SAID = {
+    "PinnedPrintedSign": (
+        "0 < r < 9 - 4 * sqrt 5 /\\ PI / 2 < theta_0 <= PI /\\",
+        (
+            "0 < - cos theta_0 < 2 * Rpower r (1 / 3) * (1 + Rpower r (1 / 3)) / (1 + r) /\\ 0 < "
+            "delta_theta."
+        ),
+        (
+            "forall r theta_0 delta_theta d, (2 <= d)%nat -> hypotheses_as_printed r theta_0 "
+            "delta_theta -> exists set, has_interior d set /\\ forall x v, set x v -> "
+            "nearly_linear d r x v (- cos theta_0) delta_theta."
+        ),
+        (
+            "~ as_printed /\\ (exists r theta_0 delta_theta, hypotheses_as_printed r theta_0 "
+            "delta_theta /\\ - cos theta_0 + delta_theta < 4 * sqrt r / (1 + r)) /\\"
+        ),
+        (
+            "(forall d r x v c delta_theta, 0 < r < 1 -> c + delta_theta < 4 * sqrt r / (1 + r) "
+            "-> ~ nearly_linear d r x v c delta_theta) /\\"
+        ),
+        "collapse d r x v by_time c tolerance -> nearly_linear d r x v c tolerance).",
+        (
+            "endless d r x v places velocities time i j /\\ Un_cv time T /\\ in_turn_from N i j "
+            "B0 a b /\\ settles d places at_T /\\ Rabs (minus_cosine d at_T - c) <= tolerance."
+        ),
+        "Print Assumptions printed_sign_proved.",
+    ),
+    "PinnedClassification": (
+        (
+            "forall d mass radius places velocities time T i j, (forall b, 0 < mass b) -> (forall "
+            "b, 0 < radius b) -> collisions d mass radius places velocities time i j -> Un_cv "
+            "time T ->"
+        ),
+        "dot d (from_to at_T o a) (from_to at_T o c) <= 0.",
+        "0 <= rate d x w i j <= - rate d x v i j.",
+        (
+            "i n <> j n /\\ 0 < t /\\ places (S n) = moved t (places n) (velocities n) /\\ "
+            "distance d (places (S n)) (i n) (j n) = 1 /\\ rate d (places (S n)) (velocities n) "
+            "(i n) (j n) < 0 /\\"
+        ),
+        "collide d r (places (S n)) (velocities n) (i n) (j n) (velocities (S n)).",
+        (
+            "4 * sqrt r / (1 + r) <= minus_cosine_at d at_T o a c <= 1 /\\ (2 * Rpower r (1 / 3) "
+            "* (1 + Rpower r (1 / 3)) / (1 + r) <= minus_cosine_at d at_T o a c \\/"
+        ),
+        (
+            "endless d r x v places velocities time i j -> 0 < spin2 d x v -> exists T, Un_cv "
+            "time T."
+        ),
+        ("trajectory d r x v T X V -> forall t, 0 < t < T -> collision_at d X V t -> In t times."),
+        (
+            "forall d r x v, 0 < r < 1 -> 7 - 4 * sqrt 3 < r \\/ 9 - 4 * sqrt 5 < r /\\ 0 < spin2 "
+            "d x v \\/ 0 <= growth d x v /\\ 6 <= size d x \\/ growth d x v ^ 2 * size d x < "
+            "(size d x - 6) * spin2 d x v -> finite d r x v."
+        ),
+        "forall d r x v, 0 < r < 1 -> finite d r x v \\/ exists places",
+        "Print Assumptions classification_proved.",
+    ),
+    "PinnedSpectrum": (
+        (
+            "forall d r x v w u e f, triangle d x -> triple d r x v w -> coordinates d 1 x v u e "
+            "f -> coordinates d 1 x w (image r u) e f."
+        ),
+        (
+            "exists v w u e f, triple d r x v w /\\ coordinates d (-1) x v u e f /\\ ~ "
+            "coordinates d (-1) x w (image r u) e f."
+        ),
+        (
+            "collide d r x v B0 B1 v_1 /\\ collide d r x v_1 B0 B2 v_2 /\\ collide d r x v_2 B1 "
+            "B2 w."
+        ),
+        (
+            "forall r, 0 < r < 1 -> exists l_0 re im, -1 < - r < l_0 /\\ l_0 < - r ^ 3 < 0 /\\ 0 "
+            "< im /\\ 0 < l_0 ^ 2 < re ^ 2 + im ^ 2 /\\ re ^ 2 + im ^ 2 < 1 /\\ (forall l, Q r l "
+            "= 0 <-> l = l_0) /\\"
+        ),
+        (
+            "(forall mu nu, (exists u v, eigenvector r mu nu u v) <-> mu = 1 /\\ nu = 0 \\/ mu = "
+            "l_0 /\\ nu = 0 \\/ mu = re /\\ nu = im \\/ mu = re /\\ nu = - im) /\\"
+        ),
+        (
+            "exists a b, u' = combination a u (- b) v /\\ v' = combination b u a v) /\\ (forall "
+            "u, image r u = u <-> exists y, u = Column 0 y 0 y)."
+        ),
+        "= (l - 1) * Q r l.",
+        (
+            "exists q, 0 < q < 1 /\\ forall u, exists y K, forall n, close_to (K * q ^ n) (orbit "
+            "r u n) (Column 0 y 0 y)."
+        ),
+        "Print Assumptions all_proved.",
+    ),
+}
+#: Each makes one of these pages say less: in the page alone nothing else would see it.
+WEAKER = (
+    ("PinnedPrintedSign", "(2 <= d)%nat", "(d = 2)%nat"),
+    ("PinnedPrintedSign", "has_interior d set /\\", "(exists x v, set x v) /\\"),
+    ("PinnedPrintedSign", "0 < delta_theta.", "0 <= delta_theta."),
+    ("PinnedPrintedSign", "in_turn_from N i j B0 a b", "in_turn_from N i j a B0 b"),
+    ("PinnedPrintedSign", "+ delta_theta < 4 * sqrt r / (1 + r)) /\\", "+ delta_theta < 4) /\\"),
+    ("PinnedClassification", "4 * sqrt r / (1 + r) <=", "3 * sqrt r / (1 + r) <="),
+    ("PinnedClassification", "(from_to at_T o c) <= 0.", "(from_to at_T o c) <= 1."),
+    ("PinnedClassification", "7 - 4 * sqrt 3 < r \\/", "1 < r \\/"),
+    ("PinnedClassification", "6 <= size d x \\/", "7 <= size d x \\/"),
+    ("PinnedClassification", "0 <= rate d x w i j <=", "0 < rate d x w i j <="),
+    ("PinnedSpectrum", "0 < im /\\", "0 <= im /\\"),
+    ("PinnedSpectrum", "re ^ 2 + im ^ 2 < 1 /\\", "re ^ 2 + im ^ 2 <= 1 /\\"),
+    ("PinnedSpectrum", "eigenvector r mu nu u v) <->", "eigenvector r mu nu u v) ->"),
+    ("PinnedSpectrum", "v_2 B1 B2 w.", "v_2 B2 B1 v."),
+)  # fmt: skip
+
+
+def unsaid(page: str, text: str) -> list[str]:
+    """What a page does not say although it has to."""
+    text = " ".join(text.split())
+    return [sentence for sentence in SAID[page] if sentence not in text]
+
+
+def test_the_pages_say_the_whole_theorems() -> None:
+    for page in SAID:
+        text = (SOURCES / f"{page}.v").read_text()
+        assert unsaid(page, text) == []
+        assert not re.search(r"^(Notation|Infix|Axiom|Parameter|Hypothesis)", text, re.MULTILINE)
+        assert re.findall(r"^From Verify Require Import (.*)\.$", text, re.MULTILINE) in (
+            ["Pinned"], ["Pinned PinnedClassification"],
+        )  # fmt: skip
+
+
+def test_a_page_that_says_less_is_seen() -> None:
+    for page, old, new in WEAKER:
+        text = (SOURCES / f"{page}.v").read_text()
+        assert text.count(old) >= 1, old
+        assert unsaid(page, text.replace(old, new)), (page, old)
+
+
+def test_a_matrix_is_the_same_on_both_pages() -> None:
+    page, pinned = ((SOURCES / f"{name}.v").read_text() for name in ("Spectrum", "PinnedSpectrum"))
+    for name in ("image", "Q", "det2", "det4", "combination", "r_of", "eigenvector_of"):
+        found = [
+            re.findall(rf"^Definition {name} .*?\.$", text, re.DOTALL | re.MULTILINE)
+            for text in (page, pinned)
+        ]
+        assert len(found[0]) == 1
+        assert found[0] == found[1], name

@@ -3,7 +3,7 @@
    else, the proofs at the end fail. *)
 From Verify Require Import Pinned PinnedClassification.
 From Verify Require Theorem1 Classification PrintedSign PrintedSignProof.
-From Coq Require Import Reals Arith.
+From Coq Require Import Reals Arith Lra.
 Open Scope R_scope.
 
 (* From x and v there are collisions without end, in finite time, in any order at first; from some
@@ -82,4 +82,10 @@ Proof.
 Qed.
 Theorem false_as_printed : ~ as_printed.
 Proof. exact (proj1 printed_sign_proved). Qed.
+(* It is about something: where the sign is the other one, there are such collapses. *)
+Theorem somewhere : exists x v, nearly_linear 2 (3 / 100) x v 1 (Delta_theta (3 / 100) 1 1 1).
+Proof.
+  destruct collapsing_scene as (x & v & C). exists x, v.
+  apply (proj2 (proj2 (proj2 printed_sign_proved))) in C; [exact C | lra].
+Qed.
 Print Assumptions printed_sign_proved.

@@ -3,7 +3,7 @@
    Nothing is taken from there but the name of a column of four numbers. *)
 From Verify Require Import Pinned.
 From Verify Require Theorem1 Spectrum SpectrumProof.
-From Coq Require Import Reals.
+From Coq Require Import Reals Arith Lra Lia.
 Open Scope R_scope.
 Definition B1 : ball := Pinned.B1.  (* Coq has another one *)
 
@@ -166,4 +166,15 @@ Proof. exact SpectrumProof.spectrum_proved. Qed.
 Theorem all_proved : (basis_theorem /\ matrix_theorem /\ stated_theorem /\ one_triple_theorem) /\
   (characteristic_theorem /\ spectrum_theorem /\ eigenvector_theorem /\ parameter_theorem /\ orbit_theorem).
 Proof. exact (conj matrix_proved spectrum_proved). Qed.
+(* It is about something: three balls can touch one another in every dimension above 1. *)
+Theorem somewhere : forall d, (2 <= d)%nat -> exists x, triangle d x.
+Proof.
+  intros d L. exists (fun b k => match b, k with
+    | Theorem1.B1, O => 1 | Theorem1.B2, O => 1 / 2 | Theorem1.B2, S O => sqrt 3 / 2 | _, _ => 0 end).
+  assert (T : sqrt 3 * sqrt 3 = 3) by (apply sqrt_sqrt; lra).
+  assert (Z : forall (u : nat -> R), (forall k, (2 <= k)%nat -> u k = 0) -> dot d u u = u 0%nat * u 0%nat + u 1%nat * u 1%nat).
+  { intros u U. induction L as [|m L IH]; [cbn; ring|]. cbn [dot]. rewrite IH, (U m L). ring. }
+  repeat split; unfold distance; rewrite Z; try (intros [|[|k]] K; [lia | lia | unfold from_to; cbn; ring]);
+    unfold from_to; cbn; (transitivity (sqrt 1); [f_equal; lra | exact sqrt_1]).
+Qed.
 Print Assumptions all_proved.

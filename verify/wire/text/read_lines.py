@@ -48,7 +48,7 @@ if TYPE_CHECKING:
 
 CHAPTER = ("in", "group", "label", "says", "uses", "let", "at", "by", "rows")
 LINE = (
-    *("lemma", "claim", "applies", "at", "always", "start", "next", "instance"),
+    *("lemma", "claim", "applies", "at", "always", "start", "next", "instance", "in"),
     *("says", "label", "uses", "role", "severity", "corrected_by"),
     *("by", "using", "plus", "rule", "of", "side", "false_at"),
 )
@@ -107,16 +107,31 @@ class Lines:
     def _chapter(self, entry: object) -> Iterator[Chapter]:
         table = self.page.table(["chapters"], entry, CHAPTER)
         home = self._home(entry)
-        names = [context.name for context in self.waiting]
-        yield from self._opened(names.index(home) + 1 if home in names else 0)
+        yield from self._opened_up_to(home)
         self.page.let(["chapters", "let"], table.get("let", {}), home)
         rows = self.page.table(["chapters", "rows"], table.get("rows", {}))
         for name, row in rows.items():
             keys = ["chapters", "rows", name]
-            line = self._line(keys, name, row, home, table)
+            inner = self._home_of_line(keys, row, home)
+            yield from self._opened_up_to(inner)
+            line = self._line(keys, name, row, inner, table)
             for constant in self._defined(line):
                 yield Chapter(self.homes[constant.name], (constant,))
-            yield Chapter(home, (line,))
+            yield Chapter(inner, (line,))
+
+    def _home_of_line(self, keys: Keys, row: object, home: str | None) -> str | None:
+        """The context that a line names, of which "" is none; else that of its chapter."""
+        found = row.get("in", home) if isinstance(row, dict) else home
+        if found in (None, ""):
+            return None
+        if found not in self.page.contexts:
+            raise self.places.error([*keys, "in"], self.page.no_context(found))
+        return str(found)
+
+    def _opened_up_to(self, home: str | None) -> Iterator[Chapter]:
+        """The contexts of the page up to this one, if it is not open."""
+        names = [context.name for context in self.waiting]
+        yield from self._opened(names.index(home) + 1 if home in names else 0)
 
     def _opened(self, count: int) -> Iterator[Chapter]:
         """The next contexts of the page, each opened where its parent is."""
@@ -221,6 +236,8 @@ class Lines:
         self, keys: Keys, kind: str, table: Mapping[str, Any], home: str | None
     ) -> Applies | Always:
         name = self.page.text([*keys, kind], table[kind], "the name of a context")
+        if name in self.page.contexts_cited:
+            return self.page.of_context(keys, table, home)[0]
         if name not in self.page.contexts:
             raise self.places.error([*keys, kind], self.page.no_context(name))
         if kind == "applies":
@@ -241,7 +258,7 @@ class Lines:
         if "false_at" in table:
             place = [*keys, "false_at"]
             return ByWitness(self._values(place, table["false_at"], home or "", None))
-        if isinstance(claim, Applies):
+        if isinstance(claim, Applies) and by is not None:
             return ByApplying(self._names([*keys, "by"], by))
         if isinstance(claim, Always):
             pair = by if isinstance(by, list) and len(by) == 2 else [by, by]
@@ -253,6 +270,8 @@ class Lines:
             return ByInstance(fact, values, self._names([*keys, "by"], by))
         if "rule" in table:
             return self._rule(keys, table)
+        if isinstance(claim, Applies):
+            return ToBeFound()
         if by is None and "using" not in table and "plus" not in table:
             return ToBeFound()
         if isinstance(by, list):

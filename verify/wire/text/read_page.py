@@ -43,11 +43,19 @@ from verify.language.terms import Claim, Term, names_of
 from verify.prover.hint import Hint
 from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.text import Page
-from verify.wire.text.infix import Names, read_claims, read_givens, read_term
+from verify.wire.text.infix import (
+    CALLED,
+    Names,
+    read_claims,
+    read_entries,
+    read_givens,
+    read_term,
+)
 from verify.wire.text.letters import letter_of, name_of, tex_of
 from verify.wire.text.points import a_point, contradiction, estimate
 from verify.wire.text.read_lines import Lines
 from verify.wire.text.roots import isolated
+from verify.wire.text.tables import Function, Value
 from verify.wire.text.vectors import Gram, gram_of, products_of
 from verify.wire.toml import TooLongError, toml_of
 
@@ -89,6 +97,10 @@ NO_TOML: Mapping[str, str] = {
 }
 IN_QUOTES = "write formulas and Greek names in quotes"
 
+#: A function and its parameters, as ``Q(x, r)``.
+CALL = re.compile(
+    r"([A-Za-z][A-Za-z0-9_]*)\(\s*([A-Za-z]\w*(?:\s*,\s*[A-Za-z]\w*)*)\s*\)", re.ASCII
+)
 #: What is a name in files.
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,99}", re.ASCII)
 
@@ -187,7 +199,8 @@ class Scope:
         self.homes: dict[str, str | None] = {}
         self.parents: dict[str, str | None] = {}
         self.written: dict[str | None, dict[str, str]] = {None: {}}
-        self.short: dict[str | None, dict[str, Term]] = {None: {}}
+        self.short: dict[str | None, dict[str, Value]] = {None: {}}
+        self.functions: dict[str | None, dict[str, Function]] = {None: {}}
         self.vectors: dict[str | None, dict[str, str | None]] = {}
         self.grams: dict[str | None, Gram] = {}
         self._inside: dict[str | None, Names] = {}
@@ -198,15 +211,26 @@ class Scope:
         self.homes[name] = home
         self.written[home][written] = name
 
-    def abbreviate(self, written: str, term: Term, home: str | None) -> None:
-        """A name that stands for a term in a context, and inside of it."""
+    def abbreviate(self, written: str, value: Value, home: str | None) -> None:
+        """A name that stands for a term or a table in a context, and inside of it."""
         self._inside.clear()
-        self.short[home][written] = term
+        self.short[home][written] = value
+
+    def define(self, written: str, function: Function, home: str | None) -> None:
+        """A function in a context, and inside of it."""
+        self._inside.clear()
+        self.functions[home][written] = function
+
+    def known_functions(self, context: str | None) -> dict[str, Function]:
+        """The functions of a context and of those around it."""
+        places = (self.functions.get(place, {}) for place in self.chain(context))
+        return {name: function for place in places for name, function in place.items()}
 
     def open(self, context: str, parent: str | None) -> None:
         """A context, inside of another."""
         self._inside.clear()
         self.parents[context], self.written[context], self.short[context] = parent, {}, {}
+        self.functions[context] = {}
 
     def chain(self, context: str | None) -> Iterator[str | None]:
         """A context and those around it."""
@@ -223,7 +247,7 @@ class Scope:
 
     def _known_inside(self, context: str | None) -> Names:
         known: dict[str, str] = {}
-        short: dict[str, Term] = {}
+        short: dict[str, Value] = {}
         for place in self.chain(context):
             short = {n: t for n, t in self.short[place].items() if n not in known} | short
             known = {n: w for n, w in self.written[place].items() if n not in short} | known
@@ -236,7 +260,8 @@ class Scope:
             if written not in known
         }
         place = next((home for home in self.chain(context) if home in self.grams), None)
-        return Names(known, hidden, short, self.vectors.get(place, {}), self.grams.get(place, {}))
+        vectors, gram = self.vectors.get(place, {}), self.grams.get(place, {})
+        return Names(known, hidden, short, vectors, gram, self.known_functions(context))
 
     def span(self, home: str, gram: Gram, vectors: Mapping[str, str]) -> None:
         """Vectors of a context, some by their inner products, others as combinations of these."""
@@ -265,7 +290,7 @@ class Scope:
                     twice[written] = f"is a name of the context {both}; say in which by in = "
         known = {name: name for name in self.homes} | known
         one = {key: name for key, name in known.items() if key not in twice}
-        return Names(one, twice, self.short[None])
+        return Names(one, twice, self.short[None], functions=self.functions[None])
 
     def home(self, names: Sequence[str]) -> str | None:
         """The innermost context of names.
@@ -298,6 +323,8 @@ class Reader:
         self.premises: dict[str, tuple[str, ...]] = {}
         self.granted_by: str | None = None
         self.contexts_cited: dict[str, tuple[tuple[Variable, ...], str | None]] = {}
+        self.functions: dict[str, tuple[str, ...]] = {}  # by their names, where they stand
+        self.calls: list[str] = []
         self.floats: dict[str, float] = {}  # about what names stand for, to guess points
 
     # --- what stands under a key ----------------------------------------------------------------
@@ -397,6 +424,7 @@ class Reader:
             cites,
         )
         self._known_rows()
+        self._used_functions()
         return Page(statement, self.hints, chapters=chapters)
 
     def _cites(self, value: object) -> Iterator[Cite]:
@@ -589,9 +617,33 @@ class Reader:
 
     def let(self, keys: Sequence[str], value: object, home: str | None) -> None:
         """Abbreviations, each of which is the term for which it stands."""
-        for short, text in self.table(keys, value).items():
-            place = [*keys, short]
-            self.scope.abbreviate(short, self.term(place, text, self.scope.inside(home)), home)
+        for short, body in self.table(keys, value).items():
+            place, inside = [*keys, short], self.scope.inside(home)
+            where = self.places.where(place, body)
+            match = CALL.fullmatch(short)
+            if match:
+                names = tuple(name.strip() for name in match[2].split(","))
+                self._new_function(place, match[1], names, home)
+                function = Function(where, names, body, inside, self.calls)
+                self.scope.define(match[1], function, home)
+            else:
+                self.scope.abbreviate(short, read_entries(where, body, inside), home)
+
+    def _new_function(
+        self, keys: Sequence[str], name: str, parameters: Sequence[str], home: str | None
+    ) -> None:
+        """Afterwards the name is that of a function, and of no other one."""
+        inside = self.scope.inside(home)
+        if any(name in table for table in (CALLED, self.functions, inside.known, inside.short)):
+            raise self.places.error(keys, f"{name} stands for something; choose another name")
+        if len({*parameters}) < len(parameters):
+            raise self.places.error(keys, "a parameter stands there twice; choose another name")
+        self.functions[name] = tuple(keys)
+
+    def _used_functions(self) -> None:
+        """Afterwards each function is used, so that its formula was read."""
+        for name in self.functions.keys() - {*self.calls}:
+            raise self.places.error(self.functions[name], f"{name} is not used; leave it out")
 
     def _root(
         self, keys: Sequence[str], name: str, table: Mapping[str, Any], names: dict[str, Variable]
@@ -760,7 +812,7 @@ class Reader:
         if kinds == ["claim"]:
             claims, home = self._compared(where, table["claim"], home)
         else:
-            other, home = self._of_context(keys, table, home)
+            other, home = self.of_context(keys, table, home)
             claims = [other]
         fields = self.fields(keys, table)
         for new, claim in zip(_numbered(name, len(claims)), claims, strict=True):
@@ -798,9 +850,10 @@ class Reader:
         except ValueError as error:
             raise self.places.error(keys, f"{error}, of which none is inside the other") from error
 
-    def _of_context(
+    def of_context(
         self, keys: Sequence[str], table: Mapping[str, Any], home: str | None
     ) -> tuple[Applies | Always, str | None]:
+        """The claim that a context applies, or always holds; and the context in which it stands."""
         kind = "applies" if "applies" in table else "always"
         context = self.text([*keys, kind], table[kind], "the name of a context")
         if context in self.contexts:

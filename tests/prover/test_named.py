@@ -17,7 +17,11 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, as_term, equal, sqrt, symbol
 from verify.prover.arguments import write_down
+from verify.prover.budget import WorkBudget
+from verify.wire.inputs import InputError
 from verify.wire.judge import judged
+from verify.wire.questions import decide_page
+from verify.wire.text.read_page import read_page
 
 x, y = symbol("x"), symbol("y")
 GIVENS = {"x-positive": 0 < x, "y-positive": 0 < y, "order": x <= y, "same": equal(y, x + 1)}
@@ -86,3 +90,41 @@ def test_what_rests_on_a_line_that_is_not_shown_is_undecided() -> None:
     verdicts = {name: decision.verdict for name, decision in judged(found).decisions.items()}
     assert verdicts == {"first": UNDECIDED, "second": UNDECIDED, "third": PROVED}
     assert "first" in found.decisions["second"].reason
+
+
+PAGE = """title = "t"
+[contexts.c]
+variables = ["Q", "b", "y", "eta", "x"]
+[contexts.c.given]
+share = "0 < b"
+speed = "0 < y"
+recedes = "0 < eta"
+ratio = "eta <= Q*b*y"
+other = "0 < x"
+[contexts.c.point]
+Q = 1
+b = 1
+y = 1
+eta = 1
+x = 1
+[rows]
+positive = {{ claim = "0 < Q", by = "{by}" }}
+"""
+
+
+@pytest.mark.parametrize(
+    ("by", "wanted"),
+    [
+        ("share speed recedes ratio", PROVED),
+        ("share speed recedes ratio other", PROVED),
+        ("other", UNDECIDED),
+    ],
+)
+def test_a_row_of_a_page_names_its_facts(by: str, wanted: str) -> None:
+    page = read_page("page.toml", PAGE.format(by=by).encode())
+    assert decide_page(page, WorkBudget(10**6)).verdict == wanted
+
+
+def test_a_row_names_facts_that_stand_before_it() -> None:
+    with pytest.raises(InputError, match="positive"):
+        read_page("page.toml", PAGE.format(by="share positive").encode())

@@ -198,7 +198,7 @@ class Draw:
         for _ in range(self.random.randint(1, 3)):
             pool = [name for name in NAMES if "|" not in name and "%" not in name]
             inputs = self.random.sample(pool, self.random.randint(1, 3))
-            self.pool = [*inputs, *self.random.sample(pool, 2)]
+            self.pool = [*dict.fromkeys([*inputs, *self.random.sample(pool, 2)])]
             known = dict.fromkeys(inputs, ((), REAL))
             ends = [self.random.sample(range(-5, 6), 2) for _ in inputs]
             bounds = [

@@ -9,7 +9,18 @@ import pytest
 
 from verify import check
 from verify.cli import main
-from verify.language.terms import Claim, as_term, maximum, minimum, sqrt, symbol, unequal
+from verify.language.terms import (
+    Claim,
+    as_term,
+    cos,
+    cos_pi,
+    maximum,
+    minimum,
+    pi,
+    sqrt,
+    symbol,
+    unequal,
+)
 from verify.wire.inputs import InputError
 from verify.wire.text.fpcore import read_fpcore
 from verify.wire.text.smtlib import read_smtlib
@@ -104,6 +115,9 @@ def test_ranges_are_near_the_values() -> None:
         ("(<= (/ 1 3) (sqrt x))", as_term(Fraction(1, 3)) <= sqrt(X)),
         ("(> (- x y 1) (abs x))", maximum(X, -X) < X - Y - 1),
         ("(distinct (+ x y 1.5) (max x y))", unequal(X + Y + Fraction(3, 2), maximum(X, Y))),
+        ("(< 0 (cos (* real.pi x)))", 0 < cos_pi(X)),
+        ("(< 0 (cos (/ (* x pi) 2)))", 0 < cos_pi(X / 2)),
+        ("(< 0 (cos (+ x pi)))", 0 < cos(X + pi)),
         ("(< 0 (ite (<= x y) x y))", 0 < minimum(X, Y)),
         ("(< 0 (ite (> x y) y x))", 0 < minimum(Y, X)),
         ("(< 0 (ite (>= x 0) x (- x)))", 0 < maximum(X, -X)),

@@ -116,6 +116,11 @@ class WorkBudget:
             signal.setitimer(signal.ITIMER_REAL, 0)
             signal.signal(signal.SIGALRM, before)
 
+    @property
+    def is_over(self) -> bool:
+        """Whether the time for all rows together is over."""
+        return self._end is not None and monotonic() > self._end
+
     def set_aside(self, seconds: float) -> None:
         """So much of the time is needed at the end, to check what was found."""
         if self._end is not None:

@@ -6,14 +6,16 @@ from verify.language.record import Record
 
 
 class Hint(Record):
-    """The only techniques that are tried on a row, and the only earlier rows that it may use.
+    """The only techniques that are tried on a row, and the only facts that it may use.
 
     ``by`` has words of the names of techniques, of which one is enough; none restricts nothing, and
-    neither does None for ``using``.
+    neither does None for ``using``. Where the row ``follows`` from these facts, a sum of their
+    products is looked for first.
     """
 
     by: tuple[str, ...] = ()
     using: tuple[str, ...] | None = None
+    follows: bool = False
 
     def admits(self, technique: str) -> bool:
         """Whether a technique of this name may be tried."""

@@ -28,6 +28,7 @@ from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import Step
 from verify.prover.reasons import hardest, without_value
 from verify.prover.rows_in_contexts import RowsInContexts
+from verify.prover.search.named import Named, by_names
 from verify.prover.search.relevance import facts_around
 from verify.prover.session import Session
 from verify.prover.techniques import find
@@ -181,6 +182,9 @@ def _hinted(row: Obligation, universal: Universal, price: Price, hint: Hint) -> 
     """The decision on a row that may use what its hint says."""
     if hint == Hint() or not isinstance(row.claim, Claim):
         return _priced(row, universal, price)
+    follows = _following(row, row.claim, hint, universal, price) if hint.follows else None
+    if follows is not None:
+        return follows
     universal.hints = {row.claim: hint}
     try:
         for hidden in _hidden(row, hint, universal):
@@ -193,6 +197,30 @@ def _hinted(row: Obligation, universal: Universal, price: Price, hint: Hint) -> 
     return found
 
 
+def _following(
+    row: Obligation, claim: Claim, hint: Hint, universal: Universal, price: Price
+) -> Decision | None:
+    """The decision that a row follows from the facts that are named, if a sum of them is found."""
+    session, place = universal.session, row.context
+    claims = {name: session.claims[name] for name in hint.using or () if name in session.claims}
+    universal.budget.refill()
+    undo, first = universal.mark(), len(session.steps)
+    try:
+        if not universal.clears((claim.lhs, claim.rhs), place):
+            return None
+        known = Named(claims, (), lambda term: universal.is_negative(term, place))
+        proof = by_names(claim, known, universal.budget)
+    except ArithmeticError:  # the work is spent, or terms are too long
+        proof = None
+    if proof is not None:
+        session.prove_row(row, proof)
+        universal.rows.add(row.name)
+        if not price(row, PROVED, session.steps[first:]):
+            return Decision(PROVED, proof)
+    undo()
+    return None
+
+
 def _hidden(row: Obligation, hint: Hint, universal: Universal) -> list[frozenset[str]]:
     """What is not used: givens and rows that a hint does not name; then only such rows."""
     if hint.using is None:
@@ -200,7 +228,8 @@ def _hidden(row: Obligation, hint: Hint, universal: Universal) -> list[frozenset
     rows = frozenset(universal.rows).difference(hint.using)
     goal = universal.goal(row.claim, row.context) if isinstance(row.claim, Claim) else None
     facts = () if goal is None else facts_around(goal, universal)
-    return [*dict.fromkeys((rows.union(facts).difference(hint.using), rows))]
+    others = rows.union(facts).difference(hint.using)
+    return [others] if hint.follows else [*dict.fromkeys((others, rows))]
 
 
 def _priced(row: Obligation, universal: Universal, price: Price) -> Decision:
@@ -248,7 +277,8 @@ def _tried(row: Obligation, universal: Universal, price: Price) -> Decision:
 
 def _reason(found: Decision, row: Obligation, universal: Universal) -> str:
     """Why a row is undecided: what was tried, and where it is open."""
-    if isinstance(row.claim, Claim) and row.context in universal.contexts:
+    in_context = isinstance(row.claim, Claim) and row.context in universal.contexts
+    if isinstance(row.claim, Claim) and in_context and not universal.budget.is_over:
         spent = universal.budget.spent
         universal.reasons |= dict.fromkeys(without_value(row.claim, universal.valueless))
         universal.budget.refill()

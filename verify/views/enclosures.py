@@ -144,9 +144,13 @@ def exactly(outcome: Outcome) -> Outcome:
     near = [name for name, found in outcome.enclosures.items() if _is_near(found)]
     if not near and not rows:
         return outcome
-    program, known = Program(()), definitions_of(outcome)
-    for name, term in known.items():
-        program.define(name, term)
+    program, known = Program(()), dict[str, Term]()
+    for name, term in definitions_of(outcome).items():
+        if known.keys() >= {*names_of(term)}:  # but not where a constant is one that is cited
+            known[name] = term
+            program.define(name, term)
+    near = [name for name in near if name in known]
+    rows = [row for row in rows if known.keys() >= {*names_of(row[1].lhs, row[1].rhs)}]
     run = Machine(program, _Values(EXACT_BITS)).run(())
     enclosures = {name: _exact(run, outcome.enclosures[name], (known[name],)) for name in near}
     decisions = {}

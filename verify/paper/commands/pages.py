@@ -69,7 +69,7 @@ def _written_down(name: str) -> Outcome:
 
     at_hand: Mapping[str, Proof] = {}
     with suppress(OwnError, WireError):
-        at_hand = proofs_in(read(*packaged_files(PAGES[name]), {}))
+        at_hand = proofs_in(read(*packaged_files(PAGES[name][0]), {}))
     return write_down(argument(name), at_hand)
 
 

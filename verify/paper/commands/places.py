@@ -27,7 +27,7 @@ from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import PRINTED, REPAIRED
 from verify.paper.spectrum.printed import Printed
 from verify.spheres import flow, scene
-from verify.wire.text.read_page import keys_of
+from verify.wire.text.places import keys_of
 
 #: What a generator of the paper may ask for, by its annotation.
 ARGUMENTS: dict[str, tuple[Any, ...]] = {

@@ -147,13 +147,40 @@ def _power(base: Term, exponent: Term) -> Term:
     return base ** int(found) if found > 0 else 1 / base ** int(-found)
 
 
+def _cosine(angle: Term) -> Term:
+    """The cosine; of pi times a number it is the operation that a page writes cos_pi."""
+    half_turns = _over_pi(angle)
+    return terms.cos(angle) if half_turns is None else terms.cos_pi(half_turns)
+
+
+def _over_pi(term: Term) -> Term | None:
+    """A term divided by pi, if pi is one of its factors."""
+    if term is pi:
+        return as_term(1)
+    if term.op not in ("mul", "div", "neg"):
+        return None
+    if term.op == "mul":
+        left: Term
+        right: Term
+        left, right = term.children
+        pairs: tuple[tuple[Term, Term], ...] = ((left, right), (right, left))
+        for factor, other in pairs:
+            found = _over_pi(factor)
+            if found is not None:
+                return other if found is as_term(1) else found * other
+        return None
+    found = _over_pi(term.children[0])
+    return None if found is None else Term(term.op, found, *term.children[1:])
+
+
 Operation = Callable[..., Term]
 _COMMON: Mapping[str, Operation] = {
     "+": _plus,
     "-": _minus,
     "*": _times,
     "/": _quotient,
-    **{name: getattr(terms, name) for name in ("atan", "sqrt", "exp", "log", "sin", "cos")},
+    **{name: getattr(terms, name) for name in ("atan", "sqrt", "exp", "log", "sin")},
+    "cos": _cosine,
     **{name: FUNCTIONS[name] for name in ("tan", "asin", "acos", "sinh", "cosh", "tanh", "cbrt")},
     "pow": _power,
 }
@@ -188,7 +215,7 @@ SMTLIB = Dialect(
     },
     {**_ORDERS, "=": "="},
     "distinct",
-    {"real.pi": pi},
+    {"real.pi": pi, "pi": pi},
     ("false", "true"),
     "ite",
     frozenset(

@@ -37,7 +37,7 @@ from verify.language.terms import (
 from verify.wire.inputs import InputError, nearest, rational, shown
 from verify.wire.text import letters
 from verify.wire.text.letters import GREEK, NAMES, name_of
-from verify.wire.text.tables import (
+from verify.wire.text.matrices import (
     MAX_CALLS,
     Function,
     Table,

@@ -17,7 +17,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from verify.language.argument import (
     ByApplying,
@@ -42,9 +42,7 @@ from verify.language.terms import Claim, Term, names_of, substitute_claim
 from verify.wire.inputs import nearest, shown
 from verify.wire.text.by import Facts, read_by
 from verify.wire.text.infix import read_term
-
-if TYPE_CHECKING:
-    from verify.wire.text.read_page import Reader
+from verify.wire.text.page_tables import Reader
 
 CHAPTER = ("in", "group", "label", "says", "uses", "let", "at", "by", "rows")
 LINE = (
@@ -59,6 +57,11 @@ RULES = ("entry", "root", "interval")
 AT = re.compile(r"\s*([A-Za-z][A-Za-z0-9_.:-]*)\s+at\s+([A-Za-z][A-Za-z0-9_-]*)\s*")
 
 Keys = Sequence[str]
+
+
+def read_chapters(page: Reader, value: object) -> tuple[Chapter, ...]:
+    """The chapters of a page whose contexts have been read."""
+    return Lines(page).chapters(value)
 
 
 class Lines:
@@ -236,8 +239,6 @@ class Lines:
         self, keys: Keys, kind: str, table: Mapping[str, Any], home: str | None
     ) -> Applies | Always:
         name = self.page.text([*keys, kind], table[kind], "the name of a context")
-        if name in self.page.contexts_cited:
-            return self.page.of_context(keys, table, home)[0]
         if name not in self.page.contexts:
             raise self.places.error([*keys, kind], self.page.no_context(name))
         if kind == "applies":
@@ -258,8 +259,8 @@ class Lines:
         if "false_at" in table:
             place = [*keys, "false_at"]
             return ByWitness(self._values(place, table["false_at"], home or "", None))
-        if isinstance(claim, Applies) and by is not None:
-            return ByApplying(self._names([*keys, "by"], by))
+        if isinstance(claim, Applies):
+            return ToBeFound() if by is None else ByApplying(self._names([*keys, "by"], by))
         if isinstance(claim, Always):
             pair = by if isinstance(by, list) and len(by) == 2 else [by, by]
             start, after = (self._names([*keys, "by"], text) for text in pair)
@@ -270,8 +271,6 @@ class Lines:
             return ByInstance(fact, values, self._names([*keys, "by"], by))
         if "rule" in table:
             return self._rule(keys, table)
-        if isinstance(claim, Applies):
-            return ToBeFound()
         if by is None and "using" not in table and "plus" not in table:
             return ToBeFound()
         if isinstance(by, list):

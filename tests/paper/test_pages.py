@@ -19,6 +19,7 @@ WORDS = (
     "classification --r 3/100",
     "elsewhere",
     "separatrix --all",
+    "theorem1 --all",
     "scene certificates/scenes/in-space.toml",
 )
 

@@ -88,6 +88,17 @@ class ByLeast(Record):
     side: str = "rhs"
 
 
+class ByCases(Record):
+    """A minimum or maximum is one of its entries: a sum for each.
+
+    In the sum for an entry ``@1`` is the equation that it is the entry, ``@2`` and on say that the
+    entry is the least, or greatest.
+    """
+
+    of: Term
+    branches: tuple[BySum, ...]
+
+
 class ByInterval(Record):
     """Both sides are numbers: enclosures decide."""
 
@@ -119,6 +130,12 @@ class ByWitness(Record):
     at: Mapping[str, Term]
 
 
+class ByNegation(Record):
+    """The claim is false for all values: why its negation holds."""
+
+    reason: Reason
+
+
 class ToBeFound(Record):
     """A sum that the prover has to find."""
 
@@ -130,11 +147,13 @@ Reason = (
     | ByRoot
     | ByEntry
     | ByLeast
+    | ByCases
     | ByInterval
     | ByInstance
     | ByApplying
     | ByInduction
     | ByWitness
+    | ByNegation
 )
 
 

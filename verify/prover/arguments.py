@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any
 
 from verify.language import argument
 from verify.language.argument import Argument, Chapter, Defined, Line, Opened, Reason
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Context, Obligation, Statement
-from verify.language.terms import Claim, Term
+from verify.language.terms import Claim, Term, names_of
 from verify.prover import rules
 from verify.prover.budget import WorkBudget
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Premise, Proof
 from verify.prover.session import ZERO, Session
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from verify.prover.ground import Ground
 
 #: Work for one sum from names; half of those of the paper take 20 000 units.
 NAMED_WORK = 20_000_000
@@ -22,6 +27,7 @@ NO_SUM = (
     "no sum of products of the facts that it names was found; name more facts, or write the "
     "products"
 )
+NO_FACTS = "it names no facts; write by = with those from which it follows"
 NOTHING: Mapping[str, Proof] = MappingProxyType({})
 #: Enough for the exact values of the rational numbers at the point of the parameters.
 POINT_BITS = 512
@@ -74,6 +80,13 @@ class Writing:
         self.decisions: dict[str, Decision] = {}
         self.missing: dict[str, str] = {}  # why a line is not shown
 
+    @cached_property
+    def ground(self) -> Ground:
+        """What decides rows without variables."""
+        from verify.prover.ground import Ground  # flint is loaded only here
+
+        return Ground(self.session)
+
     def chapter(self, chapter: Chapter) -> None:
         """Take the items of a chapter, in order."""
         for item in chapter.items:
@@ -95,10 +108,16 @@ class Writing:
         if row is not None and isinstance(line.reason, argument.ByWitness):
             self.refuted(row, line.reason.at)
             return
+        if row is not None and isinstance(line.reason, argument.ToBeFound) and _is_ground(line):
+            self.decisions[row.name] = self.ground.decide(row)
+            return
         proof = self.proof(line, context)
         if proof is None:
             if row is not None:
                 self.decisions[row.name] = Decision(UNDECIDED, reason=self.missing[line.name])
+        elif row is not None and isinstance(line.reason, argument.ByNegation):
+            self.session.prove_row(row, proof, holds=False)
+            self.decisions[row.name] = Decision(REFUTED, proof)
         elif row is not None:
             self.decide(row, proof)
         elif isinstance(line.claim, Claim):
@@ -109,6 +128,9 @@ class Writing:
         unknown = next((name for name in facts_of(line.reason) if name in self.missing), None)
         if unknown is not None:
             self.missing[line.name] = f"it rests on {unknown}, which is not shown"
+            return None
+        if isinstance(line.reason, argument.ToBeFound):
+            self.missing[line.name] = NO_FACTS
             return None
         if not isinstance(line.reason, argument.ByNames):
             return proof_of(line.reason)
@@ -157,6 +179,12 @@ class Writing:
         self.decisions[row.name] = Decision(REFUTED, proof)
 
 
+def _is_ground(line: Line) -> bool:
+    """Whether a line compares numbers without names."""
+    claim = line.claim
+    return isinstance(claim, Claim) and not any(names_of(claim.lhs, claim.rhs))
+
+
 def premise(claim: Claim) -> Premise:
     """Why a given holds at a point: equations identically, between rational numbers."""
     return rules.Sum() if claim.relation == "=" else rules.Interval(POINT_BITS)
@@ -170,6 +198,10 @@ def facts_of(reason: Reason) -> Iterator[str]:
             yield from (*reason.using, *(name for name, _ in reason.equations))
         case argument.ByNames():
             yield from (fact for fact in reason.facts if isinstance(fact, str))
+        case argument.ByNegation():
+            yield from facts_of(reason.reason)
+        case argument.ByCases():
+            yield from (name for branch in reason.branches for name in facts_of(branch))
         case argument.ByLeast():
             yield from (name for branch in reason.branches for name in facts_of(branch))
             yield from [reason.equation] if reason.equation else []
@@ -209,6 +241,10 @@ def proof_of(reason: Reason) -> Proof:
         case argument.ByLeast():
             branches = tuple(map(proof_of, reason.branches))
             return rules.Least(reason.side, branches, reason.equation)
+        case argument.ByNegation():
+            return proof_of(reason.reason)
+        case argument.ByCases():
+            return rules.Cases(reason.of, tuple(map(proof_of, reason.branches)))
         case argument.ByEntry():
             return rules.Entry(reason.side, reason.equation)
         case argument.ByInterval():

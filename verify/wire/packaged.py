@@ -38,7 +38,7 @@ PACKAGED_FILES = {
     },
     PRINTED_SIGN: {
         "statement.json": "463af7a92b5e55614165a6db3576bbdc71f2369147ab8e69e1116bd12ed9cd30",
-        "certificate.json": "3a1f3e7c5341b22747862e00a1527df8e29937f90e479165a21644b4e46bb4ac",
+        "certificate.json": "89babf16199a2031626b0e2e9b1a92642a77685bcc1a5cf4507760ade71c7e10",
     },
     "thresholds": {
         "statement.json": "cd4602cefb1bfc76902297d936571f3de8ddb6e51fe4789ca75bdc3f263bc9c5",
@@ -95,6 +95,10 @@ PAGES = {
     "line": (
         "line",
         "11173689f47e01152018119321d6a085f834d0e19a8c5ded89141920e4b48562",
+    ),
+    "printed_sign": (
+        "printed-sign",
+        "8ea8f14ec938f38e9c0f0638e53db830037d51a1aa8c6af00e7444a730dce55c",
     ),
     "sandwich_above": (
         "outside",

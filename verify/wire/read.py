@@ -82,10 +82,10 @@ def _ends(texts: Any) -> tuple[Fraction, Fraction]:
     return low, high
 
 
-def statement_of(content: bytes) -> Statement:
-    """The statement that a file is, which cites nothing."""
+def statement_of(content: bytes, cited: Mapping[str, bytes]) -> Statement:
+    """The statement that a file is; ``cited`` has what it cites, by the digests."""
     document = json.loads(content)
-    return read_statement(document, TermReader(document["terms"]), {})
+    return read_statement(document, TermReader(document["terms"]), cited)
 
 
 def read_statement(document: Any, reader: TermReader, cited: Mapping[str, bytes]) -> Statement:
@@ -112,12 +112,13 @@ def _cite(item: Any, cited: Mapping[str, bytes]) -> Cite:
     return Cite(item["name"], item["theorem"], content, inner, assumptions, certificate)
 
 
-def cite_of(statement: bytes, certificate: bytes) -> Cite:
-    """The citation, under its theorem's name, of a statement that cites nothing itself."""
+def cite_of(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]) -> Cite:
+    """The citation of a statement under its theorem's name; ``cited`` has what it cites."""
     document = json.loads(statement)
     theorem = document["theorem"]
+    inner = tuple(_cite(item, cited) for item in document["cites"])
     assumptions = tuple(Assumption(**entry) for entry in document["assumptions"])
-    return Cite(theorem, theorem, statement, (), assumptions, certificate)
+    return Cite(theorem, theorem, statement, inner, assumptions, certificate)
 
 
 def cites_of(cited: Mapping[str, bytes]) -> tuple[Cite, ...]:

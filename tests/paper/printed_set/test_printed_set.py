@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import random
-from collections.abc import Callable
 from fractions import Fraction
 
 import pytest
@@ -16,14 +15,14 @@ from verify.cli import main
 from verify.language.errors import OwnError
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import Claim, as_term
+from verify.paper.commands import pages
 from verify.paper.commands.citing import as_printed
-from verify.paper.commands.printed_set import decide_printed_set, decide_printed_sign
+from verify.paper.commands.printed_set import decide_printed_set
 from verify.paper.commands.theorem1 import decide_point
-from verify.paper.printed_set import numbers, sign
+from verify.paper.printed_set import numbers
 from verify.paper.printed_set.printed_set import CONTEXT
-from verify.prover.outcome import Outcome
 from verify.wire.judge import report_on
-from verify.wire.packaged import PACKAGED_FILES, PRINTED_SET, PRINTED_SIGN, packaged_files
+from verify.wire.packaged import PACKAGED_FILES, PRINTED_SET, packaged_files
 from verify.wire.write import write
 
 #: Orbits in a run; PRINTED_ORBITS chooses more.
@@ -32,7 +31,7 @@ COLLISIONS, BITS = 12, 2000
 
 
 def test_both_statements_are_proved() -> None:
-    for outcome in (decide_printed_set(), decide_printed_sign()):
+    for outcome in (decide_printed_set(), pages.decide("printed_sign")):
         assert outcome.verdict == PROVED
         assert report_on(outcome).verdict == "PROVED"
 
@@ -74,7 +73,8 @@ def test_a_wider_set_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_the_sign_is_false_at_the_point() -> None:
-    r, c, delta = (Fraction(text) for text in sign.POINT.values())
+    point = pages.statement("printed_sign").context("excluded").point
+    r, c, delta = (point[name].value for name in ("r", "c", "delta_theta"))
     half = (1 + r) / 2 * c
     assert r**2 - 18 * r + 1 > 0
     assert half**3 < 3 * r * half + r * (1 + r)
@@ -82,7 +82,10 @@ def test_the_sign_is_false_at_the_point() -> None:
 
 
 def test_certificates_cite_what_they_rest_on() -> None:
-    for outcome, cited in ((decide_printed_set(), "sharper"), (decide_printed_sign(), "class")):
+    for outcome, cited in (
+        (decide_printed_set(), "sharper"),
+        (pages.decide("printed_sign"), "class"),
+    ):
         assert [cite.name.startswith(cited) for cite in outcome.statement.cites] == [True]
         assert any(name.startswith("cited/") for name in write(outcome))
 
@@ -237,15 +240,10 @@ def test_an_orbit_of_the_set(seed: int) -> None:
 # --- what is said ---------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("name", "decide"), [(PRINTED_SET, decide_printed_set), (PRINTED_SIGN, decide_printed_sign)]
-)
-def test_what_comes_with_the_program_is_what_it_makes(
-    name: str, decide: Callable[[], Outcome]
-) -> None:
+def test_what_comes_with_the_program_is_what_it_makes() -> None:
     """If not: verify certify, then python -m tests.bring."""
-    files = write(decide())
-    assert packaged_files(name) == (files["statement.json"], files["certificate.json"])
+    files = write(decide_printed_set())
+    assert packaged_files(PRINTED_SET) == (files["statement.json"], files["certificate.json"])
 
 
 def test_an_altered_file_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:

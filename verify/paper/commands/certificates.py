@@ -6,6 +6,7 @@ import glob
 import os
 from collections.abc import Callable, Iterator
 from fractions import Fraction
+from functools import partial
 
 from verify.language.record import Record
 from verify.language.terms import Term, as_term, cos_pi
@@ -14,6 +15,7 @@ from verify.paper.commands import (
     collapse,
     elsewhere,
     everywhere,
+    pages,
     printed_set,
     scene,
     separatrix,
@@ -28,6 +30,8 @@ from verify.prover.outcome import Outcome
 from verify.spheres.scene.decide import UNDECIDED, decide_scene
 from verify.spheres.scene.scene_files import read_scene, scene_bytes
 from verify.wire.judge import judged
+
+printed_sign = partial(pages.decide, "printed_sign")
 
 
 class StoredPoint(Record):
@@ -75,7 +79,9 @@ THEOREMS = (
     Theorem("step-printed", "step-printed", step.decide_step_printed),
     Theorem("theorem1-all", f"{THEOREM} for all parameters", everywhere.decide_everywhere),
     Theorem("printed-set", f"{THEOREM}, the set as printed", printed_set.decide_printed_set),
-    Theorem("printed-sign", f"{THEOREM}, the sign as printed", printed_set.decide_printed_sign),
+    Theorem(
+        "printed-sign", f"{THEOREM}, the sign as printed", partial(pages.decide, "printed_sign")
+    ),
     Theorem("thresholds", f"{THEOREM} as printed, where it depends", thresholds.decide_thresholds),
     Theorem("spectrum", "THEORSS3.5SpectMatricVitLm", spectrum.decide_spectrum),
     Theorem("classification", "classification", classification.decide_classification),

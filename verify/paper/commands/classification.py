@@ -17,7 +17,7 @@ BUDGET = 1 << 37
 
 def decide_classification() -> Outcome:
     """The theorems, and the verdicts of the checker."""
-    return decide("classification", "classification")
+    return decide("classification")
 
 
 def at_restitution(r: Fraction) -> AtR:

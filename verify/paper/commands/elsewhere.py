@@ -11,7 +11,7 @@ from verify.prover.rules import Interval, Sum
 
 def decide_elsewhere() -> Outcome:
     """Every line with the proof that its reason describes, every misprint with its point."""
-    return decide("sections_1_to_4", "elsewhere")
+    return decide("sections_1_to_4")
 
 
 def premise(claim: Claim, bits: int) -> Premise:

@@ -18,9 +18,10 @@ from verify.language.statement import Cite, Statement
 from verify.prover.outcome import Outcome
 from verify.prover.proof import Proof
 from verify.wire.judge import judged, packaged
-from verify.wire.packaged import PAGES, became, packaged_files
+from verify.wire.packaged import PAGES, became, cited_digests, packaged_files, packaged_statements
 from verify.wire.read import cite_of, read, statement_of
 from verify.wire.term_json import WireError
+from verify.wire.toml import toml_of
 
 if TYPE_CHECKING:
     from verify.wire.text import Page
@@ -45,7 +46,17 @@ def page(name: str) -> Page:
     """The page of this name, read now."""
     from verify.wire.text.read_page import read_page  # loaded only where it is used
 
-    return read_page(f"verify/paper/{name}{END}", content(name))
+    return read_page(f"verify/paper/{name}{END}", content(name), cited_by(name))
+
+
+def cited_by(name: str) -> tuple[Cite, ...]:
+    """What the page of this name cites: the theorems of other pages."""
+    text = content(name)
+    if b"[cites]" not in text:
+        return ()
+    table, _ = toml_of(text)
+    pages = {theorem: page for page, (theorem, _) in PAGES.items()}
+    return tuple(cite(pages[theorem]) for theorem in table.get("cites", {}).values())
 
 
 def argument(name: str) -> Argument:
@@ -69,7 +80,9 @@ def _written_down(name: str) -> Outcome:
 
     at_hand: Mapping[str, Proof] = {}
     with suppress(OwnError, WireError):
-        at_hand = proofs_in(read(*packaged_files(PAGES[name][0]), {}))
+        content, certificate = packaged_files(PAGES[name][0])
+        cited = packaged_statements(cited_digests(content))
+        at_hand = proofs_in(read(content, certificate, cited))
     return write_down(argument(name), at_hand)
 
 
@@ -84,18 +97,23 @@ def statement(name: str) -> Statement:
         OwnError: if the files that came with the program were changed.
     """
     known = became(name, content(name))
-    return page(name).statement if known is None else statement_of(packaged_files(known)[0])
+    if known is None:
+        return page(name).statement
+    found, _ = packaged_files(known)
+    return statement_of(found, packaged_statements(cited_digests(found)))
 
 
 @cache
-def accepted(name: str) -> Outcome:
+def accepted(name: str, *, anew: bool = True) -> Outcome:
     """The theorem of a page; every verdict is the checker's of this run.
+
+    Without `anew` the verdicts on what comes with the program are those that the checker has given.
 
     Raises:
         OwnError: if the files that came with the program were changed, or the checker refuses them.
     """
     known = became(name, content(name))
-    return decide(name) if known is None else packaged(known, anew=True)
+    return decide(name) if known is None else packaged(known, anew=anew)
 
 
 @cache
@@ -107,8 +125,8 @@ def cite(name: str) -> Cite:
     """
     known = became(name, content(name))
     if known is not None:
-        return cite_of(*packaged_files(known))
-    from verify.wire.write import write  # loaded only where it is used
+        found, certificate = packaged_files(known)
+        return cite_of(found, certificate, packaged_statements(cited_digests(found)))
+    from verify.wire.write import cite_of_outcome  # loaded only where it is used
 
-    files = write(_written_down(name))
-    return cite_of(files["statement.json"], files["certificate.json"])
+    return cite_of_outcome(_written_down(name))

@@ -46,8 +46,7 @@ from verify.spheres.scene.telling import (
 )
 from verify.spheres.scene.verdict import scene_lines, theorems
 from verify.wire.judge import judged
-from verify.wire.read import cite_of
-from verify.wire.write import write
+from verify.wire.write import cite_of_outcome
 
 #: Digits of the times in a certificate.
 DIGITS = 16
@@ -191,8 +190,7 @@ def _cite(name: str) -> Cite:
     """What is claimed in a theorem, with its proof; whoever writes the scene has both checked."""
     if name != FLOW:
         return cite(PAGES[name])._replace(name=name)
-    files = write(write_down(flow()))
-    return cite_of(files["statement.json"], files["certificate.json"])
+    return cite_of_outcome(write_down(flow()))
 
 
 def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:

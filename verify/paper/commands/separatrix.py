@@ -60,7 +60,7 @@ Step = tuple[Fraction, Fraction, Fraction, Fraction, Fraction]
 @cache
 def decide_separatrix() -> Outcome:
     """The theorem on the limit map, each line with the proof that its reason describes."""
-    return decide("separatrix", "separatrix")
+    return decide("separatrix")
 
 
 class PointParameters(Record):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from verify.language.statement import PROVED, Statement
+from verify.paper.commands import pages
 from verify.paper.spectrum.printed import Printed
 from verify.paper.spectrum.spectrum import statement
 from verify.paper.spectrum.zhou_kadanoff import CITED, PREMISES
@@ -13,8 +14,6 @@ from verify.prover.proof import ObligationStep
 from verify.prover.prove import prove
 from verify.prover.rules import Applying
 from verify.wire.judge import judged, known
-from verify.wire.packaged import packaged_files
-from verify.wire.read import cite_of
 
 #: Its name among the certificates that come with the program.
 SPECTRUM = "spectrum"
@@ -25,7 +24,7 @@ MAX_BITS = 1024
 
 def state_spectrum(paper: Printed | None = None) -> Statement:
     """What is claimed, before it is decided; it cites the classification of this program."""
-    return statement(cite_of(*packaged_files("classification")), paper)
+    return statement(pages.cite("classification"), paper)
 
 
 def cite_spectrum() -> Outcome:

@@ -25,7 +25,7 @@ from verify.wire.judge import judged
 @cache
 def decide_step() -> Outcome:
     """The step, each line with the proof that its reason describes."""
-    return decide("step", "step")
+    return decide("step")
 
 
 #: Enough for the sides of the conditions at the states, some of which differ by 10^-25.

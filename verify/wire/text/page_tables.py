@@ -636,14 +636,14 @@ class Reader:
             raise self.places.error([*keys, kind], self.no_context(context))
         if kind == "always":
             home = home or parent
-            start = self._at(keys, "start", table, variables, self.scope.inside(home))
-            after = self._at(keys, "next", table, variables, self.scope.inside(context))
+            start = self.at(keys, "start", table, variables, self.scope.inside(home))
+            after = self.at(keys, "next", table, variables, self.scope.inside(context))
             return Always(context, start, after), home
         names = self.scope.inside(home) if home else self.scope.anywhere()
-        at = self._at(keys, "at", table, variables, names)
+        at = self.at(keys, "at", table, variables, names)
         return Applies(context, at), home or self._home(keys, [*at.values()])
 
-    def _at(
+    def at(
         self,
         keys: Sequence[str],
         key: str,
@@ -651,6 +651,7 @@ class Reader:
         variables: Sequence[Variable],
         names: Names,
     ) -> dict[str, Term]:
+        """The values of the variables of a context, which may be one that is cited."""
         found = self.values([*keys, key], table.get(key, {}), names)
         full = {v.name.rpartition(":")[2]: v.name for v in variables}
         short = {name.rpartition(".")[2]: name for name in full}

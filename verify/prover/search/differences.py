@@ -109,10 +109,10 @@ class Differences:
 
 def _size(polynomial: fmpq_mpoly, values: Sequence[fmpq_mpoly]) -> int:
     """About the bits that a polynomial has with these values in place of its variables."""
-    degree = int(polynomial.total_degree())
+    degree = max(0, int(polynomial.total_degree()))
     bits = max((c.height_bits() for value in values for c in value.coeffs()), default=0)
     own = max((c.height_bits() for c in polynomial.coeffs()), default=0)
-    terms = comb(degree + max(map(len, values)) - 1, degree)
+    terms = comb(degree + max(map(len, values)) - 1, degree) if degree else 1
     return (own + degree * bits) * len(polynomial) * terms
 
 

@@ -8,7 +8,7 @@ tightly than a product. Signs of print (``≤``, ``·``, ``√``, ``x²``, ``ψ`
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from itertools import accumulate, starmap
 from types import MappingProxyType
@@ -38,8 +38,8 @@ from verify.wire.inputs import InputError, nearest, rational, shown
 from verify.wire.text import letters
 from verify.wire.text.letters import GREEK, NAMES, name_of
 from verify.wire.text.matrices import (
-    MAX_CALLS,
     Function,
+    Spent,
     Table,
     Value,
     added,
@@ -47,6 +47,7 @@ from verify.wire.text.matrices import (
     form,
     negative,
     over,
+    size_of,
     table_of,
     times,
 )
@@ -150,6 +151,7 @@ class Names:
         vectors: the texts of vectors, and none for those whose products are known.
         gram: these inner products.
         functions: those that the page defines, by their names.
+        spent: what the functions and tables of the page have cost so far.
     """
 
     def __init__(
@@ -160,19 +162,24 @@ class Names:
         vectors: Mapping[str, str | None] = MappingProxyType({}),
         gram: Gram = MappingProxyType({}),
         functions: Mapping[str, Function] = MappingProxyType({}),
+        spent: Spent | None = None,
     ) -> None:
         self.known, self.hidden, self.short = known, hidden, short
         self.vectors, self.gram, self.functions = vectors, gram, functions
+        self.spent = spent or Spent()
 
     def of_vectors(self) -> Names:
         """The same, and the names of vectors."""
         known = {name: name for name in self.vectors} | dict(self.known)
-        return Names(known, self.hidden, self.short, self.vectors, self.gram, self.functions)
+        return self._with(known, self.short)
 
     def of(self, values: Mapping[str, Value]) -> Names:
         """The same, and the values of the parameters of a function."""
-        short = {**self.short, **values}
-        return Names(self.known, self.hidden, short, self.vectors, self.gram, self.functions)
+        return self._with(self.known, {**self.short, **values})
+
+    def _with(self, known: Mapping[str, str], short: Mapping[str, Value]) -> Names:
+        others = (self.vectors, self.gram, self.functions, self.spent)
+        return Names(known, self.hidden, short, *others)
 
     def term(self, where: object, name: str) -> Value:
         """What a name stands for: a symbol, or what it abbreviates.
@@ -382,18 +389,19 @@ class _Reader:
 
     def formula(self) -> Formula:
         """What stands up to the end, or to the next and or or."""
-        terms, relations, begin, moduli = [self.sum()], [], 0, []
+        terms: list[Any] = [self.sum()]
+        relations, begin, moduli = [], 0, []
         moduli.append(self.moduli.get((begin, self.at)))
         while relation := self.take(*RELATIONS):
             relations.append(relation)
             begin = self.at
             terms.append(self.sum())
             moduli.append(self.moduli.get((begin, self.at)))
-        if relations:
-            terms = [self.number(term) for term in terms]
         upwards = {relation[0] for relation in relations} & {"<", ">"}
         if len(upwards) > 1:
             raise self.error("a chain has < and > in it; write two claims")
+        if relations:
+            terms = [self.number(term) for term in terms]
         return Formula(tuple(terms), tuple(relations), tuple(moduli))
 
     def _too_much(self) -> str:
@@ -415,6 +423,8 @@ class _Reader:
     def with_tables(self, joined: Callable[..., Value], *values: Any) -> Value:
         """What is made of terms and tables that fit together."""
         try:
+            if any(isinstance(value, Table) for value in values):
+                self.names.spent.spend(size_of(*values))
             return joined(*values)
         except ValueError as error:
             raise self.error(str(error)) from error
@@ -434,7 +444,7 @@ class _Reader:
             if sign == "*":
                 found = self.with_tables(times, found, other)
             elif is_number and too:
-                found = self._quotient(found.value, other.value)
+                found = self._quotient(self.number(found).value, self.number(other).value)
             elif self.indices and other is as_term(0):
                 raise self.error("divides by zero")
             else:
@@ -452,7 +462,7 @@ class _Reader:
         if not self.take("-"):
             return self.power()
         term, is_number = self.factor()
-        return (as_term(-term.value), True) if is_number else (negative(term), False)
+        return (as_term(-self.number(term).value), True) if is_number else (negative(term), False)
 
     def power(self) -> tuple[Value, bool]:
         """An atom, perhaps with an exponent; and whether it is a number as such."""
@@ -485,7 +495,7 @@ class _Reader:
             raise self.error("the place of an entry is no whole number; write A[1, 2]")
         return int(found.value)
 
-    def _listed(self) -> Table:
+    def _listed(self) -> Value:
         """The rest of ``[a, b]``, a vector, or of ``[[a, b], [c, d]]``, a matrix."""
         entries = [self.sum()]
         while self.take(","):
@@ -494,9 +504,10 @@ class _Reader:
         rows = [entry for entry in entries if isinstance(entry, Table)]
         if any(row.is_matrix for row in rows) or len(rows) not in (0, len(entries)):
             raise self.error("an entry of a table is a table; write [a, b] or [[a, b], [c, d]]")
-        listed = [row.rows[0] for row in rows] or [entries]
-        found: Table = self.with_tables(table_of, listed, bool(rows))
-        return found
+        listed: list[Sequence[Term]] = [row.rows[0] for row in rows] or [
+            [self.number(entry) for entry in entries]
+        ]
+        return self.with_tables(table_of, listed, bool(rows))
 
     def _exponent(self) -> Term:
         minus = bool(self.take("-"))
@@ -581,9 +592,11 @@ class _Reader:
         if len(values) != len(function.parameters):
             wanted = f"{word}({', '.join(function.parameters)})"
             raise self.error(f"{word} is of {len(function.parameters)} values; write {wanted}")
-        function.calls.append(word)
-        if len(function.calls) > MAX_CALLS:
-            raise self.error(f"functions are used more than {MAX_CALLS} times; name parts of it")
+        self.names.spent.used.add(word)
+        try:
+            self.names.spent.spend(len(str(function.body)))
+        except ValueError as error:
+            raise self.error(str(error)) from error
         names = function.names.of(dict(zip(function.parameters, values, strict=True)))
         return read_entries(function.place, function.body, names)
 
@@ -593,8 +606,7 @@ class _Reader:
             values = self._arguments()
             if len(values) != count:
                 raise self.error(f"{word} is of {count}, and {len(values)} stand there")
-            found: Term = self.with_tables(made, *values)
-            return found
+            return self.number(self.with_tables(made, *values))
         self.expect("(")
         if word not in CALLED:
             raise self.error(f"{shown(word)} is no function; {self._instead_of(word)}")

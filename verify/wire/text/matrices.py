@@ -14,6 +14,7 @@ an entry, ``det(A)`` is expanded along the first row, and ``form(u, G, v)`` is t
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from math import prod
 from typing import TYPE_CHECKING
 
 from verify.language.record import Record
@@ -24,11 +25,11 @@ if TYPE_CHECKING:
 
 ZERO, ONE = as_term(0), as_term(1)
 #: A table has at most so many rows, and so many columns.
-MAX_SIDE = 12
+MAX_SIDE = 8
 #: The largest matrix whose determinant is expanded.
 MAX_DETERMINANT = 5
-#: So many times the functions of a page are used at most, one in another counted too.
-MAX_CALLS = 10_000
+#: So many signs of functions and products of entries are read at most for a page.
+MAX_WORK = 2_000_000
 
 
 class Table(Record):
@@ -69,15 +70,36 @@ Value = Term | Table
 class Function(Record):
     """A function that a page defines: its formula is read anew wherever it is used.
 
-    It knows the names that are known where it is defined; ``calls`` has a word for each use of a
-    function of the page so far.
+    It knows the names that are known where it is defined.
     """
 
     place: object
     parameters: tuple[str, ...]
     body: object
     names: Names
-    calls: list[str]
+
+
+class Spent:
+    """What the functions and tables of a page have cost so far, and which functions were used."""
+
+    def __init__(self) -> None:
+        self.work = 0
+        self.used: set[str] = set()
+
+    def spend(self, work: int) -> None:
+        """Count some work.
+
+        Raises:
+            ValueError: if it is too much for one page.
+        """
+        self.work += work
+        if self.work > MAX_WORK:
+            raise ValueError("its functions and tables are too much work; name their parts")
+
+
+def size_of(*values: Value) -> int:
+    """The product of the numbers of entries, which bounds the work on some tables."""
+    return prod(len(v.rows) * len(v.rows[0]) for v in values if isinstance(v, Table))
 
 
 def table_of(rows: Sequence[Sequence[Term]], is_matrix: bool) -> Table:
@@ -180,15 +202,15 @@ def form(u: Value, gram: Value, v: Value) -> Term:
     Raises:
         ValueError: if these are not a vector, a matrix and a vector that fit.
     """
-    for table, is_matrix in ((u, False), (gram, True), (v, False)):
-        if not isinstance(table, Table) or table.is_matrix != is_matrix:
-            raise ValueError("form is of a vector, a matrix and a vector")
-    (x,), (y,) = u.rows, v.rows
-    if len(x) != len(gram.rows) or len(y) != len(gram.rows[0]):
-        raise ValueError(f"{u.shape}, {gram.shape} and {v.shape} do not fit together")
+    tables = [value for value in (u, gram, v) if isinstance(value, Table)]
+    if [table.is_matrix for table in tables] != [False, True, False]:
+        raise ValueError("form is of a vector, a matrix and a vector")
+    ((x,), _), (rows, _), ((y,), _) = tables
+    if len(x) != len(rows) or len(y) != len(rows[0]):
+        raise ValueError(f"{', '.join(table.shape for table in tables)} do not fit together")
     return _total(
         _product(g, _product(a, b))
-        for a, row in zip(x, gram.rows, strict=True)
+        for a, row in zip(x, rows, strict=True)
         for g, b in zip(row, y, strict=True)
     )
 

@@ -84,7 +84,6 @@ class Reader:
         self.granted_by: str | None = None
         self.contexts_cited: dict[str, tuple[tuple[Variable, ...], str | None]] = {}
         self.functions: dict[str, tuple[str, ...]] = {}  # by their names, where they stand
-        self.calls: list[str] = []
         self.floats: dict[str, float] = {}  # about what names stand for, to guess points
 
     # --- what stands under a key ----------------------------------------------------------------
@@ -386,7 +385,7 @@ class Reader:
             if match:
                 names = tuple(name.strip() for name in match[2].split(","))
                 self._new_function(place, match[1], names, home)
-                function = Function(where, names, body, inside, self.calls)
+                function = Function(where, names, body, inside)
                 self.scope.define(match[1], function, home)
             else:
                 self.scope.abbreviate(short, read_entries(where, body, inside), home)
@@ -404,7 +403,7 @@ class Reader:
 
     def _used_functions(self) -> None:
         """Afterwards each function is used, so that its formula was read."""
-        for name in self.functions.keys() - {*self.calls}:
+        for name in self.functions.keys() - self.scope.spent.used:
             raise self.places.error(self.functions[name], f"{name} is not used; leave it out")
 
     def _root(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from verify.wire.text.infix import Names
-from verify.wire.text.matrices import Function, Value
+from verify.wire.text.matrices import Function, Spent, Value
 from verify.wire.text.vectors import Gram
 
 
@@ -20,6 +20,7 @@ class Scope:
         self.functions: dict[str | None, dict[str, Function]] = {None: {}}
         self.vectors: dict[str | None, dict[str, str | None]] = {}
         self.grams: dict[str | None, Gram] = {}
+        self.spent = Spent()
         self._inside: dict[str | None, Names] = {}
 
     def add(self, written: str, name: str, home: str | None) -> None:
@@ -75,7 +76,7 @@ class Scope:
         }
         place = next((home for home in self.chain(context) if home in self.grams), None)
         vectors, gram = self.vectors.get(place, {}), self.grams.get(place, {})
-        return Names(known, hidden, short, vectors, gram, functions)
+        return Names(known, hidden, short, vectors, gram, functions, self.spent)
 
     def span(self, home: str, gram: Gram, vectors: Mapping[str, str]) -> None:
         """Vectors of a context, some by their inner products, others as combinations of these."""
@@ -104,7 +105,7 @@ class Scope:
                     twice[written] = f"is a name of the context {both}; say in which by in = "
         known = {name: name for name in self.homes} | known
         one = {key: name for key, name in known.items() if key not in twice}
-        return Names(one, twice, self.short[None], functions=self.functions[None])
+        return Names(one, twice, self.short[None], functions=self.functions[None], spent=self.spent)
 
     def home(self, names: Sequence[str]) -> str | None:
         """The innermost context of names.

@@ -86,7 +86,7 @@ def test_the_index_has_what_a_search_finds(monkeypatch: pytest.MonkeyPatch, tmp_
         index.lines.cache_clear()
         assert len(index.lines() or ()) == len(places())
         assert {word: (written(word), near(word)) for word in words} == expected
-        monkeypatch.setattr(index, "COMMANDS", "verify/paper/spectrum")
+        monkeypatch.setattr(index, "COMMANDS", "verify/paper/everywhere")
         index.lines.cache_clear()
         assert index.lines() is None
     finally:

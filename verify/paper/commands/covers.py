@@ -19,8 +19,8 @@ from itertools import pairwise
 from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, REMARK, Choice, Constant, Obligation
 from verify.language.terms import Claim, Term, as_term, sqrt, symbol
+from verify.paper.commands.spectrum import roots_of_q
 from verify.paper.hypotheses import hypotheses
-from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.cover import Box, Field, Values, refined
@@ -256,10 +256,8 @@ def _middle(boxes: Iterable[tuple[Side, Ends]]) -> Fraction:
 @cache
 def roots() -> list[Roots]:
     """Boxes that contain r, the roots and both bounds at every m of their intervals."""
-    m = symbol("m")
-    terms: tuple[Term, ...] = (
-        r_of_m, -(m**3), real_part, sqrt(imaginary_square), -r_of_m, -(r_of_m**3)
-    )  # fmt: skip
+    m, (r, real_part, square) = symbol("m"), roots_of_q()
+    terms: tuple[Term, ...] = (r, -(m**3), real_part, sqrt(square), -r, -(r**3))
     field, found = Field(("m",), ()), []
     with balls.precision(BITS):
         for index in range(ROOT_CELLS):

@@ -46,7 +46,7 @@ PACKAGED_FILES = {
     },
     "spectrum": {
         "statement.json": "cb88e35f0984c1c4533cbdb35be8510235da71449440e01f380931109a05b129",
-        "certificate.json": "d09ec73c9589806e5f2c827c5a4ed00ade745afa283f0d2de681288f61125aac",
+        "certificate.json": "91da4da5fac5a1c12ce9f4cbe2d585155b646cf1174a1735ed1e1e48303e58a7",
     },
     "classification": {
         "statement.json": "569536f6f737b332a6639a14e1b17d8a66ed12a481014b00afc956fabfa560ab",
@@ -122,7 +122,7 @@ PAGES = {
     ),
     "spectrum": (
         "spectrum",
-        "0000000000000000000000000000000000000000000000000000000000000000",
+        "3cf75bed1a0460949f33c127db70dbd44d7671c3c8ab3cbfbda860d9523860dc",
     ),
     "step": (
         "step",

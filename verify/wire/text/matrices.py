@@ -8,7 +8,8 @@
 Sums, differences and products are those of linear algebra: ``u*v`` is the sum of the products of
 the entries of two vectors, ``A*v`` the image of a column, and ``u*A`` that of a row. ``A[1, 2]`` is
 an entry, ``det(A)`` is expanded along the first row, and ``form(u, G, v)`` is the sum of all
-``G[i, j]*(u[i]*v[j])``. In all of them a factor 0 or 1, and a summand 0, are not written out.
+``G[i, j]*(u[i]*v[j])``. A factor 0 or 1 of entries, and a summand that is such a product with 0,
+are not written out.
 """
 
 from __future__ import annotations
@@ -109,8 +110,10 @@ def table_of(rows: Sequence[Sequence[Term]], is_matrix: bool) -> Table:
         ValueError: if rows differ in length, are empty, or are too many or too long.
     """
     lengths = {len(row) for row in rows}
-    if len(lengths) != 1 or lengths == {0}:
-        raise ValueError("its rows have different lengths" if rows else "it has no entry")
+    if not lengths or 0 in lengths:
+        raise ValueError("it has no entry")
+    if len(lengths) > 1:
+        raise ValueError("its rows have different lengths")
     if max(len(rows), *lengths) > MAX_SIDE:
         raise ValueError(f"it has more than {MAX_SIDE} rows or columns")
     return Table(tuple(map(tuple, rows)), is_matrix)

@@ -53,7 +53,7 @@ def test_the_report(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:
     _, out, _ = run(capsys, "-v")
-    for row in spectrum.decide_spectrum().statement.obligations:
+    for row in spectrum.cite_spectrum().statement.obligations:
         assert f"[{row.name}, " in out
     assert "What only printed rows take on trust: 1 assumption" in out
     assert "corrected by matrix" in out

@@ -14,7 +14,7 @@ import sympy
 from tests.paper.spectrum.page import TEXT, changed, read, with_a_broken_entry
 from verify.language.statement import PROVED, REFUTED, REMARK, SLIP, Context, Statement
 from verify.language.terms import Claim, Term, as_term, names_of, symbol
-from verify.paper.commands.spectrum import decide_spectrum
+from verify.paper.commands.spectrum import cite_spectrum
 from verify.prover.outcome import Outcome
 from verify.prover.prove import prove
 from verify.views.words import fair
@@ -36,7 +36,7 @@ FALSE = {
 
 @pytest.fixture(scope="module")
 def outcome() -> Outcome:
-    return decide_spectrum()
+    return cite_spectrum()
 
 
 def test_the_numbers_of_rows_and_verdicts(outcome: Outcome) -> None:

@@ -38,7 +38,6 @@ from verify.wire.inputs import InputError, nearest, rational, shown
 from verify.wire.text import letters
 from verify.wire.text.letters import GREEK, NAMES, name_of
 from verify.wire.text.matrices import (
-    Function,
     Spent,
     Table,
     Value,
@@ -139,6 +138,18 @@ def _claim(relation: str, left: Term, right: Term) -> Claim:
         if relation[0] == ">"
         else Claim(relation, left, right)
     )
+
+
+class Function(Record):
+    """A function that a page defines: its formula is read anew wherever it is used.
+
+    It knows the names that are known where it is defined.
+    """
+
+    place: object
+    parameters: tuple[str, ...]
+    body: object
+    names: Names
 
 
 class Names:

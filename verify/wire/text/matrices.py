@@ -16,13 +16,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from math import prod
-from typing import TYPE_CHECKING
 
 from verify.language.record import Record
 from verify.language.terms import Term, as_term
-
-if TYPE_CHECKING:
-    from verify.wire.text.infix import Names
 
 ZERO, ONE = as_term(0), as_term(1)
 #: A table has at most so many rows, and so many columns.
@@ -66,18 +62,6 @@ class Table(Record):
 
 #: What a formula, or a part of it, stands for.
 Value = Term | Table
-
-
-class Function(Record):
-    """A function that a page defines: its formula is read anew wherever it is used.
-
-    It knows the names that are known where it is defined.
-    """
-
-    place: object
-    parameters: tuple[str, ...]
-    body: object
-    names: Names
 
 
 class Spent:

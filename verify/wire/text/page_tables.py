@@ -27,6 +27,7 @@ from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.text import Page
 from verify.wire.text.infix import (
     CALLED,
+    Function,
     Names,
     read_claims,
     read_entries,
@@ -34,7 +35,6 @@ from verify.wire.text.infix import (
     read_term,
 )
 from verify.wire.text.letters import letter_of, name_of, tex_of
-from verify.wire.text.matrices import Function
 from verify.wire.text.places import Places
 from verify.wire.text.points import a_point, contradiction, estimate
 from verify.wire.text.roots import isolated

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from verify.wire.text.infix import Names
-from verify.wire.text.matrices import Function, Spent, Value
+from verify.wire.text.infix import Function, Names
+from verify.wire.text.matrices import Spent, Value
 from verify.wire.text.vectors import Gram
 
 

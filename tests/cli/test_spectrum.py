@@ -12,11 +12,10 @@ from typing import Any
 
 import pytest
 
+from tests.paper.spectrum.page import with_a_broken_entry
 from verify import check
 from verify.cli import main
-from verify.language.terms import as_term
 from verify.paper.commands import spectrum
-from verify.paper.spectrum.printed import MATRIX, Printed
 
 ROOT = Path(__file__).resolve().parents[2]
 CLAIM_KEYS = {
@@ -44,7 +43,7 @@ def _no_float(text: str) -> None:
 
 def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:
     _, out, _ = run(capsys, "-v")
-    for row in spectrum.decide_spectrum().statement.obligations:
+    for row in spectrum.cite_spectrum().statement.obligations:
         assert f"[{row.name}, " in out
 
 
@@ -162,8 +161,7 @@ def test_the_run_imports_neither_sympy_nor_mpmath() -> None:
 def test_a_broken_matrix_fails_the_command(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    broken = ((MATRIX[0][0] + as_term(Fraction(1, 64)), *MATRIX[0][1:]), *MATRIX[1:])
-    outcome = spectrum.decide_spectrum(Printed(matrix=broken))
+    outcome = with_a_broken_entry()
     monkeypatch.setattr("verify.cli.spectrum.cite_spectrum", lambda: outcome)
     code, out, _ = run(capsys)
     assert code == 1

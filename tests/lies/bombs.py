@@ -44,6 +44,26 @@ def inverse_sines() -> str:
 
 
 @page
+def functions_of_functions() -> str:
+    let = "".join(f'"f_{k}(x)" = "f_{k - 1}(x) + f_{k - 1}(x + 1)"\n' for k in range(1, 60))
+    return f"title = 't'\n[let]\n\"f_0(x)\" = \"x\"\n{let}[rows]\na = 'f_59(1) > 0'\n"
+
+
+@page
+def powers_of_matrices() -> str:
+    entries = [[f"1/{i + j + 2}" for i in range(8)] for j in range(8)]
+    let = f"A_0 = {entries}\n" + "".join(f"A_{k} = 'A_{k - 1}*A_{k - 1}'\n" for k in range(1, 40))
+    return f"title = 't'\n[let]\n{let}[rows]\na = 'A_39[1, 1] > 0'\n"
+
+
+@page
+def many_products_of_matrices() -> str:
+    entries = [[f"1/{i + j + 2}" for i in range(8)] for j in range(8)]
+    product = "*".join(["A"] * 40_000)
+    return f"title = 't'\n[let]\nA = {entries}\n[rows]\na = '({product})[1, 1] > 0'\n"
+
+
+@page
 def hyperbolic_functions() -> str:
     return row(f"0 <= {nested(['cosh'] * 30)}")
 

@@ -10,7 +10,7 @@ from verify.paper import step_as_printed, theorem1
 from verify.paper.commands.classification import decide_classification
 from verify.paper.commands.elsewhere import decide_elsewhere
 from verify.paper.commands.everywhere import decide_everywhere
-from verify.paper.commands.spectrum import decide_spectrum
+from verify.paper.commands.spectrum import cite_spectrum
 from verify.paper.commands.step import decide_step
 from verify.prover.outcome import Outcome
 from verify.prover.uses import nodes
@@ -93,7 +93,7 @@ def facts_elsewhere() -> set[str]:
     found = wrong | {f"step:{name}" for name in nodes(decide_step())}
     for prefix, outcome in (
         ("elsewhere", decide_elsewhere()),
-        ("spectrum", decide_spectrum()),
+        ("spectrum", cite_spectrum()),
         ("classification", decide_classification()),
     ):
         statement = outcome.statement

@@ -12,7 +12,7 @@ from verify.language.statement import REFUTED
 from verify.paper import theorem1
 from verify.paper.commands.classification import decide_classification
 from verify.paper.commands.elsewhere import decide_elsewhere
-from verify.paper.commands.spectrum import decide_spectrum
+from verify.paper.commands.spectrum import cite_spectrum
 from verify.paper.commands.step import decide_step
 from verify.paper.source import printed_numbers
 from verify.prover.outcome import Outcome
@@ -142,7 +142,7 @@ def known() -> frozenset[str]:
     found |= {a.name for a in decide_elsewhere().statement.assumptions}
     for prefix, outcome in (
         ("step", decide_step()),
-        ("spectrum", decide_spectrum()),
+        ("spectrum", cite_spectrum()),
         ("classification", decide_classification()),
     ):
         found |= {f"{prefix}:{name}" for name in known_in(outcome)}
@@ -202,7 +202,7 @@ def test_every_row_is_beside_what_it_is_about() -> None:
 def test_what_is_refuted_is_called_refuted() -> None:
     """A line does not lean on a row that is false without saying that it is."""
     wrong = {row.name for row, d in decide_elsewhere().rows if d.verdict == REFUTED}
-    wrong |= {f"spectrum:{row.name}" for row, d in decide_spectrum().rows if d.verdict == REFUTED}
+    wrong |= {f"spectrum:{row.name}" for row, d in cite_spectrum().rows if d.verdict == REFUTED}
     for cells in lines():
         if set(names(cells[3])) & wrong:
             words = (
@@ -219,7 +219,7 @@ def test_what_is_refuted_is_called_refuted() -> None:
 def test_what_is_called_refuted_is_refuted() -> None:
     """The names after the word, up to where the sentence goes on, are those of false rows."""
     wrong = {row.name for row, d in decide_elsewhere().rows if d.verdict == REFUTED}
-    wrong |= {f"spectrum:{row.name}" for row, d in decide_spectrum().rows if d.verdict == REFUTED}
+    wrong |= {f"spectrum:{row.name}" for row, d in cite_spectrum().rows if d.verdict == REFUTED}
     found = 0
     for cells in lines():
         for said in re.findall(r"refuted(?: |:)([^;]*)", cells[3]):

@@ -11,6 +11,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from tests.paper.spectrum.page import terms
 from tests.views.conftest import TABLE
 from verify.language.statement import ACCUSATIONS, REFUTED, UNDECIDED
 from verify.language.terms import Claim, as_term
@@ -18,11 +19,10 @@ from verify.paper.commands import curves
 from verify.paper.commands.everywhere import decide_everywhere, decide_printed_everywhere
 from verify.paper.commands.pages import accepted
 from verify.paper.commands.report import plotted
+from verify.paper.commands.spectrum import roots_of_q
 from verify.paper.commands.thresholds import STRIPS, bands, certified
 from verify.paper.hypotheses import hypotheses
 from verify.paper.parameters import PRINTED, REPAIRED
-from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
-from verify.paper.spectrum.printed import Printed
 from verify.prover.outcome import Decision
 from verify.prover.program import ExactArithmetic, Machine, Program
 from verify.prover.relations import holds
@@ -91,17 +91,18 @@ def test_margins_are_on_the_right_side() -> None:
     assert 0 < cuts[0][0] < cuts[-1][1] < curves.END
 
 
+POINTS = (Fraction(-27, 343), Fraction(2), Fraction(-1, 3))
+
+
 def test_the_roots_are_roots() -> None:
     """At a rational m: Q(-m^3) = 0, and Q(λ) = (λ+m^3)((λ-x)^2+w)."""
     program = Program(())
     value = as_term(Fraction(3, 7))
     program.define("m", value)
     run = Machine(program, ExactArithmetic()).run(())
-    r, x, w = run[r_of_m], run[real_part], run[imaginary_square]
-    q = Printed().q
-    for point in (Fraction(-27, 343), Fraction(2), Fraction(-1, 3)):
-        expected = (point + Fraction(27, 343)) * ((point - x) ** 2 + w)
-        assert run[q(as_term(point), as_term(r))] == expected
+    r, x, w = (run[term] for term in roots_of_q())
+    for point, q in zip(POINTS, terms(*(f"Q({point}, r_of(m))" for point in POINTS)), strict=True):
+        assert run[q] == (point + Fraction(27, 343)) * ((point - x) ** 2 + w)
     cell = next(c for c in curves.roots() if c.side[0] <= Fraction(3, 7) < c.side[1])
     assert cell.r[0] <= r <= cell.r[1]
     assert cell.re[0] <= x <= cell.re[1]

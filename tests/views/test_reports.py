@@ -27,7 +27,7 @@ def point() -> Outcome:
 
 
 @pytest.mark.parametrize("view", [report, partial(part, full=True)])
-@pytest.mark.parametrize("decide", [point, spectrum.decide_spectrum])
+@pytest.mark.parametrize("decide", [point, spectrum.cite_spectrum])
 def test_a_view_does_not_see_whether_an_outcome_is_fresh(
     decide: Callable[[], Outcome], view: Callable[[Outcome, Publication], str]
 ) -> None:
@@ -42,7 +42,7 @@ def test_a_view_does_not_see_whether_an_outcome_is_fresh(
 
 
 def test_a_report_has_every_refuted_row_with_its_evidence() -> None:
-    for outcome in (point(), spectrum.decide_spectrum()):
+    for outcome in (point(), spectrum.cite_spectrum()):
         text = report(outcome, PAPER)
         section = text[text.index("## What is printed") :].partition("\n## ")[0]
         refuted = [(row, d) for row, d in outcome.rows if fair(outcome, row, d) == REFUTED]

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from tests.paper.spectrum.page import changed
 from verify import check
 from verify.cli import main
 from verify.paper.commands.everywhere import decide_printed_everywhere
-from verify.paper.commands.spectrum import SPECTRUM, cite_spectrum, decide_spectrum, state_spectrum
-from verify.paper.spectrum.printed import Printed
+from verify.paper.commands.spectrum import PAGE, cite_spectrum, decide_spectrum, state_spectrum
 from verify.prover.outcome import Outcome
 from verify.wire.judge import known
 from verify.wire.packaged import ALL, AS_PRINTED, PACKAGED, PACKAGED_FILES, packaged_files
@@ -44,20 +44,19 @@ def test_what_is_cited_is_what_would_be_proved() -> None:
 
 def test_another_statement_is_not_known() -> None:
     said = state_spectrum()
-    assert known(SPECTRUM, said) is not None
+    assert known(PAGE, said) is not None
     first, *others = said.obligations
-    assert known(SPECTRUM, said._replace(obligations=(first._replace(says="?"), *others))) is None
-    assert known(SPECTRUM, said._replace(obligations=tuple(others))) is None
-    assert (
-        known(SPECTRUM, state_spectrum(Printed(coefficients=Printed().coefficients[::-1]))) is None
-    )
+    assert known(PAGE, said._replace(obligations=(first._replace(says="?"), *others))) is None
+    assert known(PAGE, said._replace(obligations=tuple(others))) is None
+    swapped = changed("a_2(r)*x^2 + a_1(r)*x + r^3", "a_1(r)*x^2 + a_2(r)*x + r^3")
+    assert known(PAGE, swapped) is None
     assert known(ALL, said) is None
 
 
 @pytest.mark.parametrize(
     ("words", "work"),
     [
-        ("spectrum", "verify.paper.commands.spectrum.decide_spectrum"),
+        ("spectrum", "verify.paper.commands.pages.decide"),
         ("theorem1 --all", "verify.paper.commands.everywhere.decide_everywhere"),
     ],
 )

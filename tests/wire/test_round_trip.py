@@ -39,7 +39,7 @@ def fresh(name: str) -> Outcome:
             return judged(
                 theorem1.decide_point(parameters("1/1000", "1") | {"c": angle}, "repaired")
             )
-    return spectrum.decide_spectrum()
+    return spectrum.cite_spectrum()
 
 
 @cache

@@ -46,7 +46,7 @@ PACKAGED_FILES = {
     },
     "spectrum": {
         "statement.json": "cb88e35f0984c1c4533cbdb35be8510235da71449440e01f380931109a05b129",
-        "certificate.json": "456f0c2fef81984ed7614d69c64c905192956b4b3342861c25f040b54582c30c",
+        "certificate.json": "91da4da5fac5a1c12ce9f4cbe2d585155b646cf1174a1735ed1e1e48303e58a7",
     },
     "classification": {
         "statement.json": "569536f6f737b332a6639a14e1b17d8a66ed12a481014b00afc956fabfa560ab",
@@ -123,6 +123,10 @@ PAGES = {
     "sharper": (
         "sharper",
         "d2c894a4aeaf6f75e19c5fca8fffd7963b721e270606e6c485eddcc3942862b6",
+    ),
+    "spectrum": (
+        "spectrum",
+        "3cf75bed1a0460949f33c127db70dbd44d7671c3c8ab3cbfbda860d9523860dc",
     ),
     "step": (
         "step",

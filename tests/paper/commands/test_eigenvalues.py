@@ -10,9 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.paper.spectrum.page import table, terms
 from verify.paper.commands import eigenvalues
 from verify.paper.commands.eigenvalues import Spectrum, at, over
-from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX
 from verify.prover import balls
 from verify.prover.balls import Ball
 from verify.prover.program import ExactArithmetic, Machine, Program
@@ -56,7 +56,7 @@ def check(found: Spectrum, r: Fraction, bits: int) -> None:
     """Compare with the roots of the printed Q and with the printed matrix."""
     size = bits + 64 + 4 * r.denominator.bit_length()
     with mpmath.workprec(size):
-        a_0, a_1, a_2 = (to_mp(exact(entry, r)) for entry in COEFFICIENTS[:3])
+        a_0, a_1, a_2 = (to_mp(exact(entry, r)) for entry in terms("r^3", "a_1(r)", "a_2(r)"))
         roots = mpmath.polyroots([1, a_2, a_1, a_0], maxsteps=2000, extraprec=2 * size)
         real = min(roots, key=lambda z: abs(mpmath.im(z)))
         pair = max(roots, key=mpmath.im)
@@ -72,7 +72,7 @@ def check_vectors(found: Spectrum, r: Fraction, bits: int) -> None:
     """The balls of A v - lambda v contain 0; lambda and v have their own narrow balls."""
     with balls.precision(2 * bits + r.denominator.bit_length()):
         program = Program(["r"])
-        slots = [[program.add(entry) for entry in row] for row in MATRIX]
+        slots = [[program.add(entry) for entry in row] for row in table("A(r)")]
         values = Machine(program, balls.BallArithmetic()).run([balls.from_fraction(r)]).values
         matrix = [[values[slot] for slot in row] for row in slots]
         for i in range(4):

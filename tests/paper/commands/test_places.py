@@ -16,7 +16,7 @@ from verify.paper.theorem1 import theorem
 
 def test_every_row_has_a_place() -> None:
     rows = [row for part in theorem().parts.values() for row in part.obligations]
-    for outcome in (everywhere.decide_everywhere(), step.decide_step(), spectrum.decide_spectrum()):
+    for outcome in (everywhere.decide_everywhere(), step.decide_step(), spectrum.cite_spectrum()):
         rows += outcome.statement.obligations
     known = {place.name for place in places()}
     assert {row.name for row in rows} <= known
@@ -86,7 +86,7 @@ def test_the_index_has_what_a_search_finds(monkeypatch: pytest.MonkeyPatch, tmp_
         index.lines.cache_clear()
         assert len(index.lines() or ()) == len(places())
         assert {word: (written(word), near(word)) for word in words} == expected
-        monkeypatch.setattr(index, "COMMANDS", "verify/paper/spectrum")
+        monkeypatch.setattr(index, "COMMANDS", "verify/paper/everywhere")
         index.lines.cache_clear()
         assert index.lines() is None
     finally:

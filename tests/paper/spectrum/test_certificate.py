@@ -13,10 +13,9 @@ import mpmath
 import pytest
 import sympy
 
+from tests.paper.spectrum.page import with_a_broken_entry
 from verify import check
-from verify.language.terms import as_term
 from verify.paper.commands.spectrum import decide_spectrum
-from verify.paper.spectrum.printed import MATRIX, Printed
 from verify.prover.outcome import Outcome
 from verify.wire.read import read
 from verify.wire.write import write
@@ -70,8 +69,7 @@ def test_the_files_are_short(contents: dict[str, bytes]) -> None:
 
 
 def test_refuted_needed_rows_have_a_certificate_too() -> None:
-    broken = ((MATRIX[0][0] + as_term(Fraction(1, 64)), *MATRIX[0][1:]), *MATRIX[1:])
-    files = write(decide_spectrum(Printed(matrix=broken)))
+    files = write(with_a_broken_entry())
     report = check.check(files["statement.json"], files["certificate.json"], cited(files))
     assert report.verdict == "REFUTED", [line for line in report.lines if "REFUSED" in line]
 

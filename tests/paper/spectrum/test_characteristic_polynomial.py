@@ -7,14 +7,16 @@ from fractions import Fraction
 import sympy
 from flint import fmpq, fmpq_mat, fmpq_poly
 
+from tests.paper.spectrum.page import table, terms
 from tests.paper.spectrum.test_rows import to_sympy
-from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX
 
 R, LAMBDA = sympy.symbols("r lambda", real=True)
 
 
 def printed_q() -> list[sympy.Poly]:
-    return [sympy.Poly(to_sympy(entry, {"r": R}), R) for entry in COEFFICIENTS]
+    return [
+        sympy.Poly(to_sympy(entry, {"r": R}), R) for entry in terms("r^3", "a_1(r)", "a_2(r)", "1")
+    ]
 
 
 def characteristic(matrix: sympy.Matrix) -> sympy.Expr:
@@ -86,5 +88,5 @@ def test_flint_derives_the_same_polynomial() -> None:
 
 
 def test_the_printed_matrix_has_it_too() -> None:
-    matrix = sympy.Matrix([[to_sympy(entry, {"r": R}) for entry in row] for row in MATRIX])
+    matrix = sympy.Matrix([[to_sympy(entry, {"r": R}) for entry in row] for row in table("A(r)")])
     assert sympy.expand(characteristic(matrix) - by_sympy().as_expr()) == 0

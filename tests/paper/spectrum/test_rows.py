@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import json
 import operator
+import re
 from collections import Counter
 from fractions import Fraction
 
 import pytest
 import sympy
 
+from tests.paper.spectrum.page import TEXT, changed, read, with_a_broken_entry
 from verify.language.statement import PROVED, REFUTED, REMARK, SLIP, Context, Statement
 from verify.language.terms import Claim, Term, as_term, names_of, symbol
-from verify.paper.commands.spectrum import MAX_BITS, decide_spectrum, state_spectrum
-from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX, Printed
+from verify.paper.commands.spectrum import cite_spectrum
 from verify.prover.outcome import Outcome
 from verify.prover.prove import prove
 from verify.views.words import fair
@@ -31,12 +33,10 @@ FALSE = {
     "rate-complex-stated": "rate-complex",
 }
 
-SIXTY_FOURTH = as_term(Fraction(1, 64))
-
 
 @pytest.fixture(scope="module")
 def outcome() -> Outcome:
-    return decide_spectrum()
+    return cite_spectrum()
 
 
 def test_the_numbers_of_rows_and_verdicts(outcome: Outcome) -> None:
@@ -173,65 +173,68 @@ def test_each_witness_is_exact(outcome: Outcome, name: str) -> None:
         assert difference.is_negative
 
 
-def verdicts_of(printed: Printed) -> dict[str, str]:
+#: The rows about the matrix and its polynomial alone.
+NAMES = {"matrix", "characteristic", "Q-factorised"}
+
+
+def verdicts_of(stated: Statement) -> dict[str, str]:
     """What is said of the rows about the matrix and its polynomial alone."""
-    stated = state_spectrum(printed)
-    names = {"matrix", "characteristic", "Q-factorised"}
-    rows = [x for x in stated.obligations if x.name in names or x.name.startswith("entry-")]
-    outcome = judged(prove(stated._replace(obligations=tuple(rows)), max_bits=MAX_BITS))
+    rows = [x for x in stated.obligations if x.name in NAMES or x.name.startswith("entry-")]
+    outcome = judged(prove(stated._replace(obligations=tuple(rows))))
     return {row.name: found.verdict for row, found in outcome.rows}
 
 
 def test_a_broken_entry_fails_the_whole() -> None:
-    broken = (tuple(x + SIXTY_FOURTH for x in MATRIX[0]), *MATRIX[1:])
-    outcome = decide_spectrum(Printed(matrix=broken))
+    outcome = with_a_broken_entry()
     assert outcome.exit_code == 1
     found = {row.name: decision.verdict for row, decision in outcome.rows}
-    assert verdicts_of(Printed(matrix=broken)).items() <= found.items()
+    assert verdicts_of(outcome.statement).items() <= found.items()
 
 
-@pytest.mark.parametrize("sign", [1, -1])
-@pytest.mark.parametrize("i", range(4))
-@pytest.mark.parametrize("j", range(4))
-def test_a_broken_entry_of_the_matrix_is_found(i: int, j: int, sign: int) -> None:
-    broken = [list(row) for row in MATRIX]
-    broken[i][j] = broken[i][j] + sign * SIXTY_FOURTH
-    verdicts = verdicts_of(Printed(matrix=tuple(map(tuple, broken))))
-    assert verdicts[f"entry-{i + 1}-{j + 1}"] == REFUTED
+#: The matrix as the page writes it, entry by entry.
+MATRIX = re.findall(r'"([^"]+)"', TEXT.partition('"A(r)" = [')[2].partition("\n]")[0])
+
+
+@pytest.mark.parametrize("sign", ["+", "-"])
+@pytest.mark.parametrize("place", range(16))
+def test_a_broken_entry_of_the_matrix_is_found(place: int, sign: str) -> None:
+    broken = [f"{entry} {sign} 1/64" if i == place else entry for i, entry in enumerate(MATRIX)]
+    before, _, rest = TEXT.partition('"A(r)" = [')
+    rows = [broken[i : i + 4] for i in range(0, 16, 4)]
+    text = before + f'"A(r)" = {json.dumps(rows)}' + rest.partition("\n]")[2]
+    verdicts = verdicts_of(read(text))
+    assert verdicts[f"entry-{place // 4 + 1}-{place % 4 + 1}"] == REFUTED
     assert verdicts["matrix"] == REFUTED
     entries = [name for name, verdict in verdicts.items() if name.startswith("entry-")]
     assert sum(verdicts[name] == REFUTED for name in entries) == 1
 
 
-@pytest.mark.parametrize("sign", [1, -1])
-@pytest.mark.parametrize("power", range(4))
-def test_a_broken_coefficient_of_q_is_found(power: int, sign: int) -> None:
-    broken = list(COEFFICIENTS)
-    broken[power] = broken[power] + sign * SIXTY_FOURTH
-    verdicts = verdicts_of(Printed(coefficients=tuple(broken)))
+#: The coefficients of Q as the page writes them.
+Q = '"Q(x, r)" = "x^3 + a_2(r)*x^2 + a_1(r)*x + r^3"'
+
+
+@pytest.mark.parametrize("sign", ["+", "-"])
+@pytest.mark.parametrize("part", ["x^3", "x^2", "a_1(r)*x", "+ r^3"])
+def test_a_broken_coefficient_of_q_is_found(part: str, sign: str) -> None:
+    power = {"x^3": "x^3", "x^2": "x^2", "a_1(r)*x": "x", "+ r^3": "1"}[part]
+    verdicts = verdicts_of(changed(Q, f'{Q[:-1]} {sign} 1/64*{power}"'))
     assert verdicts["characteristic"] == REFUTED
     assert verdicts["Q-factorised"] == REFUTED
 
 
-def test_a_broken_leaf_of_the_printed_formulas_is_found() -> None:
+LEAVES = [
+    (name, match)
+    for name in ('"a_1(r)"', '"a_2(r)"')
+    for match in re.finditer(r"(?<![\^\d])\d+", re.search(rf"{re.escape(name)} = (.*)", TEXT)[1])
+]
+
+
+@pytest.mark.parametrize(("name", "match"), LEAVES, ids=lambda x: x if isinstance(x, str) else x[0])
+def test_a_broken_leaf_of_the_printed_formulas_is_found(name: str, match: re.Match[str]) -> None:
     """Each number in the printed coefficients of Q matters, not only their sums."""
-    for power in range(3):
-        for broken in altered(COEFFICIENTS[power]):
-            changed = (*COEFFICIENTS[:power], broken, *COEFFICIENTS[power + 1 :])
-            stated = state_spectrum(Printed(coefficients=changed))
-            rows = [row for row in stated.obligations if row.name == "characteristic"]
-            outcome = prove(stated._replace(obligations=tuple(rows)))
-            assert outcome.decisions["characteristic"].claimed == REFUTED
-
-
-def altered(term: Term) -> list[Term]:
-    """The term with each of its rational leaves changed by 1/64, one at a time."""
-    if term.op == "rational":
-        return [as_term(term.value + Fraction(1, 64))]
-    found = []
-    for i, arg in enumerate(term.args):
-        if isinstance(arg, Term):
-            found += [
-                Term(term.op, *term.args[:i], other, *term.args[i + 1 :]) for other in altered(arg)
-            ]
-    return found
+    line = f"{name} = {match.string}"
+    broken = match.string[: match.start()] + f"({match[0]} + 1/64)" + match.string[match.end() :]
+    stated = changed(line, f"{name} = {broken}")
+    rows = [row for row in stated.obligations if row.name == "characteristic"]
+    outcome = prove(stated._replace(obligations=tuple(rows)))
+    assert outcome.decisions["characteristic"].claimed == REFUTED

@@ -1,4 +1,4 @@
-"""The displays of the paper, copied as LaTeX, are the terms of the program."""
+"""The displays of the paper, copied as LaTeX, are the terms of the page."""
 
 from __future__ import annotations
 
@@ -10,38 +10,40 @@ from pathlib import Path
 import pytest
 import sympy
 
+from tests.paper.spectrum.page import table, terms
 from tests.paper.spectrum.test_rows import to_sympy
 from verify.language.terms import Term
 from verify.paper.commands.spectrum import state_spectrum
-from verify.paper.spectrum import characteristic, collision_matrices, cone, printed, real_root
 
 SYMBOLS = {name: sympy.Symbol(name, real=True) for name in ("r", "x", "y", "t", "lambda")}
 TOKEN = re.compile(r"\\[a-z]+|[0-9]+|[a-z]|\S")
 
 ROWS = {row.name: row for row in state_spectrum().obligations}
-X = cone.bound_x(cone.x, cone.y - cone.t)
-Z = cone.bound_z(cone.x, cone.y - cone.t)
 
 
 def side(name: str) -> tuple[tuple[Term, ...], ...]:
     return ((ROWS[name].claim.rhs,),)
 
 
+def one(formula: str) -> tuple[tuple[Term, ...], ...]:
+    return (terms(formula),)
+
+
 TRANSCRIBED = {
-    "matrix": printed.MATRIX,
-    "A_a": collision_matrices.A_A,
-    "A_b": collision_matrices.A_B,
-    "A_c": collision_matrices.A_C,
-    "matrix in the appendix": printed.MATRIX,
-    **{f"determinant {k}": m for k, m in enumerate(characteristic.DETERMINANTS, 1)},
-    "Q": ((printed.Printed().q(characteristic.lam),),),
-    "lambda_c": ((real_root.lambda_c,),),
+    "matrix": table("A(r)"),
+    "A_a": table("A_a(r)"),
+    "A_b": table("A_b(r)"),
+    "A_c": table("A_c(r)"),
+    "matrix in the appendix": table("A(r)"),
+    **{f"determinant {k}": table(f"D_{k}") for k in range(1, 5)},
+    "Q": one("Q(lambda, r)"),
+    "lambda_c": one("lambda_c(r)"),
     "minimum, expanded": side("Q-prime-expanded"),
     "minimum, factored": side("Q-prime-factored"),
-    "bound of x, first": ((X[0],),),
-    "bound of x, second": ((X[1],),),
-    "bound of z, first": ((Z[0],),),
-    "bound of z, second": ((Z[1],),),
+    "bound of x, first": one("bound_x_1(x, y - t, r)"),
+    "bound of x, second": one("bound_x_2(x, y - t, r)"),
+    "bound of z, first": one("bound_z_1(x, y - t, r)"),
+    "bound of z, second": one("bound_z_2(x, y - t, r)"),
     "Q(-r)": side("Q-minus-r"),
     "Q(-r), factored": side("Q-minus-r-factored"),
     "Q(-r^3)": side("Q-minus-r3"),

@@ -26,7 +26,7 @@ from verify.language.statement import (
     Obligation,
 )
 from verify.language.terms import Claim, Term, as_term, sqrt, symbol
-from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
+from verify.paper.commands.spectrum import roots_of_q
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.ground import Ground
@@ -283,10 +283,8 @@ def _middle(boxes: Iterable[tuple[Ends, Ends]]) -> Fraction:
 @cache
 def roots() -> list[Roots]:
     """Boxes that contain r, the roots and both bounds at every m of their intervals."""
-    m = symbol("m")
-    terms: tuple[Term, ...] = (
-        r_of_m, -(m**3), real_part, sqrt(imaginary_square), -r_of_m, -(r_of_m**3)
-    )  # fmt: skip
+    m, (r, real_part, square) = symbol("m"), roots_of_q()
+    terms: tuple[Term, ...] = (r, -(m**3), real_part, sqrt(square), -r, -(r**3))
     curves, found = Curves("m"), []
     for index in range(ROOT_CELLS):
         side = (Fraction(index, ROOT_CELLS), Fraction(index + 1, ROOT_CELLS))

@@ -1,8 +1,8 @@
 """Enclosures of the eigenvalues and eigenvectors of the limiting velocity matrix at a given r.
 
 With m = (-lambda_0)^(1/3) the spectrum is 1, -m^3 and a complex pair whose real part, squared
-imaginary part and squared modulus are rational functions of m (`verify.paper.spectrum`, rows
-Q-factorised, modulus, eigenvector-*). So all that is to be found is m, the only real root of
+imaginary part and squared modulus are rational functions of m (`verify/paper/spectrum.toml`,
+rows Q-factorised, modulus, eigenvector-*). So all that is to be found is m, the only real root of
 
     f(m) = 4 m^3 - (1+r) m^2 + (1+r) m - 4r,
 

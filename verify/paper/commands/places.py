@@ -25,14 +25,12 @@ from verify.paper.commands.pages import content, names, page
 from verify.paper.commands.place import ROOT, Place
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import PRINTED, REPAIRED
-from verify.paper.spectrum.printed import Printed
 from verify.spheres import flow, scene
 from verify.wire.text.places import keys_of
 
 #: What a generator of the paper may ask for, by its annotation.
 ARGUMENTS: dict[str, tuple[Any, ...]] = {
     "ConstantSet": (ConstantSet(PRINTED), ConstantSet(REPAIRED)),
-    "Printed": (Printed(),),
 }
 
 #: A table of a page, and a key in it; what goes on in the next lines is indented.

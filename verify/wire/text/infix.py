@@ -8,10 +8,11 @@ tightly than a product. Signs of print (``≤``, ``·``, ``√``, ``x²``, ``ψ`
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from itertools import accumulate, starmap
 from types import MappingProxyType
+from typing import Any
 
 from verify.language.fold import fold
 from verify.language.record import Record
@@ -36,6 +37,19 @@ from verify.language.terms import (
 from verify.wire.inputs import InputError, nearest, rational, shown
 from verify.wire.text import letters
 from verify.wire.text.letters import GREEK, NAMES, name_of
+from verify.wire.text.matrices import (
+    Spent,
+    Table,
+    Value,
+    added,
+    determinant,
+    form,
+    negative,
+    over,
+    size_of,
+    table_of,
+    times,
+)
 from verify.wire.text.vectors import Combination, Gram, basis, combination, dot
 
 _LETTERS = f"A-Za-z{''.join(NAMES)}"
@@ -43,7 +57,7 @@ _NAME = rf"(?:[A-Za-z][A-Za-z0-9_]*:)*[{_LETTERS}][{_LETTERS}0-9_]*(?:\.[{_LETTE
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
     rf"|`(?P<quoted>[^`]+)`|(?P<name>{_NAME})|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
-    r"|(?P<sign><=|>=|==|!=|\*\*|[-+*/^()<>=,|√≤≥⩽⩾≠·⋅×−]))"
+    r"|(?P<sign><=|>=|==|!=|\*\*|[-+*/^()<>=,|[\]√≤≥⩽⩾≠·⋅×−]))"
 )
 #: What to write instead of a text that begins with a sign which no formula has.
 INSTEAD: Mapping[str, str] = {
@@ -74,7 +88,12 @@ SUMS: Mapping[str, Callable[[Term, Term], Term]] = {"sum": Term.__add__, "prod":
 MAX_TERMS = 1000
 #: All that is written like a function.
 DOT = "dot"
-CALLED = (*FUNCTIONS, *MANY, "root", *SUMS, *SUGAR, DOT)
+#: What is made of tables.
+OF_TABLES: Mapping[str, tuple[int, Callable[..., Term]]] = {
+    "det": (1, determinant),
+    "form": (3, form),
+}
+CALLED = (*FUNCTIONS, *MANY, "root", *SUMS, *SUGAR, DOT, *OF_TABLES)
 
 
 class Formula(Record):
@@ -121,35 +140,60 @@ def _claim(relation: str, left: Term, right: Term) -> Claim:
     )
 
 
+class Function(Record):
+    """A function that a page defines: its formula is read anew wherever it is used.
+
+    It knows the names that are known where it is defined.
+    """
+
+    place: object
+    parameters: tuple[str, ...]
+    body: object
+    names: Names
+
+
 class Names:
     """What the names in a formula stand for.
 
     Args:
         known: for each name that may be written the name that is meant.
         hidden: for names that are not usable here, why not.
-        short: the terms for which abbreviations stand.
+        short: the terms and tables for which abbreviations stand.
         vectors: the texts of vectors, and none for those whose products are known.
         gram: these inner products.
+        functions: those that the page defines, by their names.
+        spent: what the functions and tables of the page have cost so far.
     """
 
     def __init__(
         self,
         known: Mapping[str, str],
         hidden: Mapping[str, str] = MappingProxyType({}),
-        short: Mapping[str, Term] = MappingProxyType({}),
+        short: Mapping[str, Value] = MappingProxyType({}),
         vectors: Mapping[str, str | None] = MappingProxyType({}),
         gram: Gram = MappingProxyType({}),
+        functions: Mapping[str, Function] = MappingProxyType({}),
+        spent: Spent | None = None,
     ) -> None:
         self.known, self.hidden, self.short = known, hidden, short
-        self.vectors, self.gram = vectors, gram
+        self.vectors, self.gram, self.functions = vectors, gram, functions
+        self.spent = spent or Spent()
 
     def of_vectors(self) -> Names:
         """The same, and the names of vectors."""
         known = {name: name for name in self.vectors} | dict(self.known)
-        return Names(known, self.hidden, self.short, self.vectors, self.gram)
+        return self._with(known, self.short)
 
-    def term(self, where: object, name: str) -> Term:
-        """The symbol that a name stands for.
+    def of(self, values: Mapping[str, Value]) -> Names:
+        """The same, and the values of the parameters of a function."""
+        return self._with(self.known, {**self.short, **values})
+
+    def _with(self, known: Mapping[str, str], short: Mapping[str, Value]) -> Names:
+        others = (self.vectors, self.gram, self.functions, self.spent)
+        return Names(known, self.hidden, short, *others)
+
+    def term(self, where: object, name: str) -> Value:
+        """What a name stands for: a symbol, or what it abbreviates.
 
         Raises:
             InputError: for a name that stands for nothing, with a name that is like it.
@@ -166,7 +210,8 @@ class Names:
         short = ", ".join(list(self.known)[:8])
         what = f"what is defined is {short}" if short else "nothing is defined here"
         otherwise = f"define it before, under constants, or as a variable; {what}"
-        return nearest(name, [*self.known, *self.short, *NUMBERS, *CALLED], otherwise)
+        known = [*self.known, *self.short, *self.functions, *NUMBERS, *CALLED]
+        return nearest(name, known, otherwise)
 
 
 def read_term(where: object, text: str, names: Names) -> Term:
@@ -175,10 +220,49 @@ def read_term(where: object, text: str, names: Names) -> Term:
     Raises:
         InputError: naming the place, and what to write instead.
     """
+    found = read_value(where, text, names)
+    if isinstance(found, Table):
+        raise InputError(f"{where}: {shown(text)} is {found.shape}; write a number, such as {_AS}")
+    return found
+
+
+def read_value(where: object, text: str, names: Names) -> Value:
+    """The term, the vector or the matrix that a text stands for.
+
+    Raises:
+        InputError: naming the place, and what to write instead.
+    """
     (found, *_), word = _read(where, text, names)
     if found.relations or word:
         raise InputError(f"{where}: {shown(text)} is a claim; write a term, such as (1 + x)/2")
     return found.terms[0]
+
+
+def read_entries(where: object, body: object, names: Names) -> Value:
+    """The same of a text, or of a list of texts or of lists of them, which is a table.
+
+    Raises:
+        InputError: as above, and if an entry is no text, or a row has another length.
+    """
+    if not isinstance(body, list):
+        return read_value(where, _entry_text(where, body), names)
+    is_matrix = any(isinstance(row, list) for row in body)
+    rows = body if is_matrix else [body]
+    if not all(isinstance(row, list) for row in rows):
+        raise InputError(f"{where}: a row is no list; write [[a, b], [c, d]]")
+    read = [[read_term(where, _entry_text(where, text), names) for text in row] for row in rows]
+    try:
+        return table_of(read, is_matrix)
+    except ValueError as error:
+        raise InputError(f"{where}: {error}; write [a, b] or [[a, b], [c, d]]") from error
+
+
+def _entry_text(where: object, entry: object) -> str:
+    if type(entry) is int:
+        return str(entry)
+    if not isinstance(entry, str):
+        raise InputError(f'{where}: {shown(repr(entry))} is no text; write a formula in "quotes"')
+    return entry
 
 
 def read_claims(where: object, text: str, names: Names) -> tuple[Claim, ...]:
@@ -234,6 +318,8 @@ def _joined(
 
 
 _JOINING = (("name", "and"), ("name", "or"))
+#: How a number is had from a table.
+_AS = "u*v, A[1, 2] or det(A)"
 
 #: So many parentheses are inside of one another at most.
 MAX_DEPTH = 100
@@ -314,7 +400,8 @@ class _Reader:
 
     def formula(self) -> Formula:
         """What stands up to the end, or to the next and or or."""
-        terms, relations, begin, moduli = [self.sum()], [], 0, []
+        terms: list[Any] = [self.sum()]
+        relations, begin, moduli = [], 0, []
         moduli.append(self.moduli.get((begin, self.at)))
         while relation := self.take(*RELATIONS):
             relations.append(relation)
@@ -324,6 +411,8 @@ class _Reader:
         upwards = {relation[0] for relation in relations} & {"<", ">"}
         if len(upwards) > 1:
             raise self.error("a chain has < and > in it; write two claims")
+        if relations:
+            terms = [self.number(term) for term in terms]
         return Formula(tuple(terms), tuple(relations), tuple(moduli))
 
     def _too_much(self) -> str:
@@ -336,27 +425,41 @@ class _Reader:
             found += f"; write a point: {before[1]}.{self.tokens[self.at + 1][1]}"
         return found
 
-    def sum(self) -> Term:
+    def number(self, value: Value) -> Term:
+        """The value, which is no table."""
+        if isinstance(value, Table):
+            raise self.error(f"{value.shape} stands where a number is needed; write {_AS}")
+        return value
+
+    def with_tables(self, joined: Callable[..., Value], *values: Any) -> Value:
+        """What is made of terms and tables that fit together."""
+        try:
+            if any(isinstance(value, Table) for value in values):
+                self.names.spent.spend(size_of(*values))
+            return joined(*values)
+        except ValueError as error:
+            raise self.error(str(error)) from error
+
+    def sum(self) -> Value:
         """Products with signs between them."""
         found = self.product()
         while sign := self.take("+", "-"):
-            other = self.product()
-            found = found + other if sign == "+" else found - other
+            found = self.with_tables(added, found, self.product(), sign)
         return found
 
-    def product(self) -> Term:
+    def product(self) -> Value:
         """Factors with signs between them."""
         found, is_number = self.factor()
         while sign := self.take("*", "/"):
             other, too = self.factor()
             if sign == "*":
-                found = found * other
+                found = self.with_tables(times, found, other)
             elif is_number and too:
-                found = self._quotient(found.value, other.value)
+                found = self._quotient(self.number(found).value, self.number(other).value)
             elif self.indices and other is as_term(0):
                 raise self.error("divides by zero")
             else:
-                found = found / other
+                found = self.with_tables(over, found, other)
             is_number = False
         return found
 
@@ -365,17 +468,19 @@ class _Reader:
             raise self.error("divides by zero")
         return as_term(above / below)
 
-    def factor(self) -> tuple[Term, bool]:
+    def factor(self) -> tuple[Value, bool]:
         """A power, or minus one; and whether it is a number as such."""
         if not self.take("-"):
             return self.power()
         term, is_number = self.factor()
-        return (as_term(-term.value), True) if is_number else (-term, False)
+        return (as_term(-self.number(term).value), True) if is_number else (negative(term), False)
 
-    def power(self) -> tuple[Term, bool]:
+    def power(self) -> tuple[Value, bool]:
         """An atom, perhaps with an exponent; and whether it is a number as such."""
         is_number = self.tokens[self.at][0] == "number"
         found = self.atom()
+        while isinstance(found, Table) and self.sign == "[":
+            found = self._entry(found)
         kind, word = self.tokens[self.at]
         if kind != "raised" and word != "^":
             return found, is_number
@@ -384,11 +489,40 @@ class _Reader:
         exponent = as_term(int(word.translate(_RAISED))) if raised else self._exponent()
         if self.sign == "^" or self.tokens[self.at][0] == "raised":
             raise self.error("a power of a power needs parentheses: (x^2)^3")
-        return self._raised(found, exponent), False
+        return self._raised(self.number(found), exponent), False
+
+    def _entry(self, table: Table) -> Value:
+        """The rest of ``A[1, 2]``, or of ``A[1]``."""
+        self.expect("[")
+        at = [self._index()]
+        while self.take(","):
+            at.append(self._index())
+        self.expect("]")
+        return self.with_tables(table.entry, at)
+
+    def _index(self) -> int:
+        found = self.number(self.sum())
+        if found.op != "rational" or found.value.denominator > 1:
+            raise self.error("the place of an entry is no whole number; write A[1, 2]")
+        return int(found.value)
+
+    def _listed(self) -> Value:
+        """The rest of ``[a, b]``, a vector, or of ``[[a, b], [c, d]]``, a matrix."""
+        entries = [self.sum()]
+        while self.take(","):
+            entries.append(self.sum())
+        self.expect("]")
+        rows = [entry for entry in entries if isinstance(entry, Table)]
+        if any(row.is_matrix for row in rows) or len(rows) not in (0, len(entries)):
+            raise self.error("an entry of a table is a table; write [a, b] or [[a, b], [c, d]]")
+        listed: list[Sequence[Term]] = [row.rows[0] for row in rows] or [
+            [self.number(entry) for entry in entries]
+        ]
+        return self.with_tables(table_of, listed, bool(rows))
 
     def _exponent(self) -> Term:
         minus = bool(self.take("-"))
-        found = self.atom()
+        found = self.number(self.atom())
         if not minus:
             return found
         return as_term(-found.value) if found.op == "rational" else -found
@@ -412,8 +546,8 @@ class _Reader:
         found = root**above if is_power else root
         return found if exponent.value > 0 else 1 / found
 
-    def atom(self) -> Term:
-        """A number, a name, a function, a root, a modulus, or what stands in parentheses."""
+    def atom(self) -> Value:
+        """A number, a name, a function, a root, a modulus, a table, or what is in parentheses."""
         kind, word = self.tokens[self.at]
         start = self.at
         self.at += 1
@@ -427,10 +561,12 @@ class _Reader:
             found = self.sum()
             self.expect(")")
             return found
+        if word == "[":
+            return self._listed()
         if word == "√":
-            return sqrt(self.atom())
+            return sqrt(self.number(self.atom()))
         if word == "|":
-            found = self.sum()
+            found = self.number(self.sum())
             self.expect("|")
             self.moduli[start, self.at] = found
             return absolute(found)
@@ -439,8 +575,10 @@ class _Reader:
         instead = f"; write {word}=" if swapped else ""
         raise self.error(f"{self.next_word()}, where a number or a name is missing{instead}")
 
-    def _named(self, word: str) -> Term:
+    def _named(self, word: str) -> Value:
         named = word in self.names.known or word in self.names.short
+        if self.sign == "(" and word in self.names.functions:
+            return self._defined(word)
         if self.sign == "(" and (word in CALLED or not named):
             return self._function(word)
         if word in self.indices:
@@ -450,7 +588,36 @@ class _Reader:
             return NUMBERS[name]
         return self.names.term(self.where, name)
 
+    def _arguments(self) -> list[Value]:
+        """What stands between parentheses, with commas between."""
+        self.expect("(")
+        found = [self.sum()]
+        while self.take(","):
+            found.append(self.sum())
+        self.expect(")")
+        return found
+
+    def _defined(self, word: str) -> Value:
+        """The value of a function of the page."""
+        function, values = self.names.functions[word], self._arguments()
+        if len(values) != len(function.parameters):
+            wanted = f"{word}({', '.join(function.parameters)})"
+            raise self.error(f"{word} is of {len(function.parameters)} values; write {wanted}")
+        self.names.spent.used.add(word)
+        try:
+            self.names.spent.spend(len(str(function.body)))
+        except ValueError as error:
+            raise self.error(str(error)) from error
+        names = function.names.of(dict(zip(function.parameters, values, strict=True)))
+        return read_entries(function.place, function.body, names)
+
     def _function(self, word: str) -> Term:
+        if word in OF_TABLES:
+            count, made = OF_TABLES[word]
+            values = self._arguments()
+            if len(values) != count:
+                raise self.error(f"{word} is of {count}, and {len(values)} stand there")
+            return self.number(self.with_tables(made, *values))
         self.expect("(")
         if word not in CALLED:
             raise self.error(f"{shown(word)} is no function; {self._instead_of(word)}")
@@ -458,10 +625,8 @@ class _Reader:
             return self._summed(word)
         if word == DOT:
             return self._dot()
-        arguments = [self.sum()]
-        while self.take(","):
-            arguments.append(self.sum())
-        self.expect(")")
+        self.at -= 1
+        arguments = [self.number(value) for value in self._arguments()]
         if word == "root":
             return self._root(arguments)
         if (len(arguments) > 1) != (word in MANY):
@@ -489,7 +654,7 @@ class _Reader:
         """A combination of vectors, up to the comma or the parenthesis after it."""
         inside = _Reader(self.where, "", self.names.of_vectors())
         inside.tokens, inside.at = self.tokens, self.at
-        term = inside.sum()
+        term = inside.number(inside.sum())
         self.at = inside.at
         return self._combined(term)
 
@@ -501,7 +666,7 @@ class _Reader:
                 known[name] = (
                     basis(name)
                     if text is None
-                    else self._combined(_Reader(self.where, text, self.names.of_vectors()).sum())
+                    else self._combined(read_term(self.where, text, self.names.of_vectors()))
                 )
         try:
             return combination(term, known)
@@ -537,7 +702,7 @@ class _Reader:
             if self.terms_left < 0:
                 raise self.error(f"it has more than {MAX_TERMS} terms; split it, or name its parts")
             self.at, self.indices[letter] = start, as_term(number)
-            terms.append(self.sum())
+            terms.append(self.number(self.sum()))
             if self.at != comma:
                 raise self.error(f"{self.next_word()}, and does not belong there")
         del self.indices[letter]
@@ -559,7 +724,7 @@ class _Reader:
 
     def _whole(self, example: str) -> int:
         self.expect(",")
-        found = self.sum()
+        found = self.number(self.sum())
         if found.op != "rational" or found.value.denominator > 1:
             raise self.error(f"a bound is no whole number; {example}")
         return int(found.value)

@@ -25,7 +25,15 @@ from verify.language.terms import Claim, Term, names_of
 from verify.prover.hint import Hint
 from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.text import Page
-from verify.wire.text.infix import Names, read_claims, read_givens, read_term
+from verify.wire.text.infix import (
+    CALLED,
+    Function,
+    Names,
+    read_claims,
+    read_entries,
+    read_givens,
+    read_term,
+)
 from verify.wire.text.letters import letter_of, name_of, tex_of
 from verify.wire.text.places import Places
 from verify.wire.text.points import a_point, contradiction, estimate
@@ -53,6 +61,9 @@ ROW = (
 ASSUMPTION = ("sentence", "kind", "label")
 CITE = ("theorem", "statement_sha256")
 
+#: A function and its parameters, as ``Q(x, r)``.
+_WORD = r"[A-Za-z][A-Za-z0-9_]*"
+CALL = re.compile(rf"({_WORD})\(\s*({_WORD}(?:\s*,\s*{_WORD})*)\s*\)", re.ASCII)
 #: What is a name in files.
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,99}", re.ASCII)
 
@@ -72,6 +83,7 @@ class Reader:
         self.premises: dict[str, tuple[str, ...]] = {}
         self.granted_by: str | None = None
         self.contexts_cited: dict[str, tuple[tuple[Variable, ...], str | None]] = {}
+        self.functions: dict[str, tuple[str, ...]] = {}  # by their names, where they stand
         self.floats: dict[str, float] = {}  # about what names stand for, to guess points
 
     # --- what stands under a key ----------------------------------------------------------------
@@ -173,6 +185,7 @@ class Reader:
             cites,
         )
         self._known_rows()
+        self._used_functions()
         return Page(statement, self.hints, chapters=lines)
 
     def _cites(self, value: object) -> Iterator[Cite]:
@@ -364,10 +377,34 @@ class Reader:
             raise self.places.error(place, str(error)) from error
 
     def let(self, keys: Sequence[str], value: object, home: str | None) -> None:
-        """Abbreviations, each of which is the term for which it stands."""
-        for short, text in self.table(keys, value).items():
-            place = [*keys, short]
-            self.scope.abbreviate(short, self.term(place, text, self.scope.inside(home)), home)
+        """Abbreviations, each of which is the term or table for which it stands; and functions."""
+        for short, body in self.table(keys, value).items():
+            place, inside = [*keys, short], self.scope.inside(home)
+            where = self.places.where(place, body)
+            match = CALL.fullmatch(short)
+            if match:
+                names = tuple(name.strip() for name in match[2].split(","))
+                self._new_function(place, match[1], names, home)
+                function = Function(where, names, body, inside)
+                self.scope.define(match[1], function, home)
+            else:
+                self.scope.abbreviate(short, read_entries(where, body, inside), home)
+
+    def _new_function(
+        self, keys: Sequence[str], name: str, parameters: Sequence[str], home: str | None
+    ) -> None:
+        """Afterwards the name is that of a function, and of no other one."""
+        inside = self.scope.inside(home)
+        if any(name in table for table in (CALLED, self.functions, inside.known, inside.short)):
+            raise self.places.error(keys, f"{name} stands for something; choose another name")
+        if len({*parameters}) < len(parameters):
+            raise self.places.error(keys, "a parameter stands there twice; choose another name")
+        self.functions[name] = tuple(keys)
+
+    def _used_functions(self) -> None:
+        """Afterwards each function is used, so that its formula was read."""
+        for name in self.functions.keys() - self.scope.spent.used:
+            raise self.places.error(self.functions[name], f"{name} is not used; leave it out")
 
     def _root(
         self, keys: Sequence[str], name: str, table: Mapping[str, Any], names: dict[str, Variable]

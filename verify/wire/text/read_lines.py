@@ -48,7 +48,7 @@ from verify.wire.text.page_tables import Reader
 
 CHAPTER = ("in", "group", "label", "says", "uses", "let", "at", "by", "rows")
 LINE = (
-    *("lemma", "claim", "applies", "at", "always", "start", "next", "instance"),
+    *("lemma", "claim", "applies", "at", "always", "start", "next", "instance", "in"),
     *("says", "label", "uses", "role", "severity", "corrected_by"),
     *("by", "using", "plus", "rule", "of", "side", "false_at", "verdict"),
 )
@@ -114,16 +114,31 @@ class Lines:
     def _chapter(self, entry: object) -> Iterator[Chapter]:
         table = self.page.table(["chapters"], entry, CHAPTER)
         home = self._home(entry)
-        names = [context.name for context in self.waiting]
-        yield from self._opened(names.index(home) + 1 if home in names else 0)
+        yield from self._opened_up_to(home)
         self.page.let(["chapters", "let"], table.get("let", {}), home)
         rows = self.page.table(["chapters", "rows"], table.get("rows", {}))
         for name, row in rows.items():
             keys = ["chapters", "rows", name]
-            line = self._line(keys, name, row, home, table)
+            inner = self._home_of_line(keys, row, home)
+            yield from self._opened_up_to(inner)
+            line = self._line(keys, name, row, inner, table)
             for constant in self._defined(line):
                 yield Chapter(self.homes[constant.name], (constant,))
-            yield Chapter(home, (line,))
+            yield Chapter(inner, (line,))
+
+    def _home_of_line(self, keys: Keys, row: object, home: str | None) -> str | None:
+        """The context that a line names, of which "" is none; else that of its chapter."""
+        found = row.get("in", home) if isinstance(row, dict) else home
+        if found in (None, ""):
+            return None
+        if found not in self.page.contexts:
+            raise self.places.error([*keys, "in"], self.page.no_context(found))
+        return str(found)
+
+    def _opened_up_to(self, home: str | None) -> Iterator[Chapter]:
+        """The contexts of the page up to this one, if it is not open."""
+        names = [context.name for context in self.waiting]
+        yield from self._opened(names.index(home) + 1 if home in names else 0)
 
     def _opened(self, count: int) -> Iterator[Chapter]:
         """The next contexts of the page, each opened where its parent is."""
@@ -262,7 +277,7 @@ class Lines:
             place = [*keys, "false_at"]
             return ByWitness(self._values(place, table["false_at"], home or "", None))
         if isinstance(claim, Applies):
-            return ByApplying(self._names([*keys, "by"], by))
+            return ToBeFound() if by is None else ByApplying(self._names([*keys, "by"], by))
         if isinstance(claim, Always):
             pair = by if isinstance(by, list) and len(by) == 2 else [by, by]
             start, after = (self._names([*keys, "by"], text) for text in pair)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from verify.language.terms import Term
-from verify.wire.text.infix import Names
+from verify.wire.text.infix import Function, Names
+from verify.wire.text.matrices import Spent, Value
 from verify.wire.text.vectors import Gram
 
 
@@ -16,9 +16,11 @@ class Scope:
         self.homes: dict[str, str | None] = {}
         self.parents: dict[str, str | None] = {}
         self.written: dict[str | None, dict[str, str]] = {None: {}}
-        self.short: dict[str | None, dict[str, Term]] = {None: {}}
+        self.short: dict[str | None, dict[str, Value]] = {None: {}}
+        self.functions: dict[str | None, dict[str, Function]] = {None: {}}
         self.vectors: dict[str | None, dict[str, str | None]] = {}
         self.grams: dict[str | None, Gram] = {}
+        self.spent = Spent()
         self._inside: dict[str | None, Names] = {}
 
     def add(self, written: str, name: str, home: str | None) -> None:
@@ -27,15 +29,21 @@ class Scope:
         self.homes[name] = home
         self.written[home][written] = name
 
-    def abbreviate(self, written: str, term: Term, home: str | None) -> None:
-        """A name that stands for a term in a context, and inside of it."""
+    def abbreviate(self, written: str, value: Value, home: str | None) -> None:
+        """A name that stands for a term or a table in a context, and inside of it."""
         self._inside.clear()
-        self.short[home][written] = term
+        self.short[home][written] = value
+
+    def define(self, written: str, function: Function, home: str | None) -> None:
+        """A function in a context, and inside of it."""
+        self._inside.clear()
+        self.functions[home][written] = function
 
     def open(self, context: str, parent: str | None) -> None:
         """A context, inside of another."""
         self._inside.clear()
         self.parents[context], self.written[context], self.short[context] = parent, {}, {}
+        self.functions[context] = {}
 
     def chain(self, context: str | None) -> Iterator[str | None]:
         """A context and those around it."""
@@ -52,10 +60,12 @@ class Scope:
 
     def _known_inside(self, context: str | None) -> Names:
         known: dict[str, str] = {}
-        short: dict[str, Term] = {}
+        short: dict[str, Value] = {}
+        functions: dict[str, Function] = {}
         for place in self.chain(context):
             short = {n: t for n, t in self.short[place].items() if n not in known} | short
             known = {n: w for n, w in self.written[place].items() if n not in short} | known
+            functions = self.functions[place] | functions
         known |= {name: name for name in known.values()}
         known = self._without_context(context) | known
         hidden = {
@@ -65,7 +75,8 @@ class Scope:
             if written not in known
         }
         place = next((home for home in self.chain(context) if home in self.grams), None)
-        return Names(known, hidden, short, self.vectors.get(place, {}), self.grams.get(place, {}))
+        vectors, gram = self.vectors.get(place, {}), self.grams.get(place, {})
+        return Names(known, hidden, short, vectors, gram, functions, self.spent)
 
     def span(self, home: str, gram: Gram, vectors: Mapping[str, str]) -> None:
         """Vectors of a context, some by their inner products, others as combinations of these."""
@@ -94,7 +105,7 @@ class Scope:
                     twice[written] = f"is a name of the context {both}; say in which by in = "
         known = {name: name for name in self.homes} | known
         one = {key: name for key, name in known.items() if key not in twice}
-        return Names(one, twice, self.short[None])
+        return Names(one, twice, self.short[None], functions=self.functions[None], spent=self.spent)
 
     def home(self, names: Sequence[str]) -> str | None:
         """The innermost context of names.

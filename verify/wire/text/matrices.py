@@ -1,0 +1,227 @@
+"""Vectors and matrices in formulas, written entry by entry, and functions that a page defines.
+
+    [let]
+    v = ["1", "x"]
+    "A(r)" = [["0", "-r"], ["1", "(1 + r)/2"]]
+    "Q(y, r)" = "det(y*[[1, 0], [0, 1]] - A(r))"
+
+Sums, differences and products are those of linear algebra: ``u*v`` is the sum of the products of
+the entries of two vectors, ``A*v`` the image of a column, and ``u*A`` that of a row. ``A[1, 2]`` is
+an entry, ``det(A)`` is expanded along the first row, and ``form(u, G, v)`` is the sum of all
+``G[i, j]*(u[i]*v[j])``. A factor 0 or 1 of entries, and a summand that is such a product with 0,
+are not written out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from math import prod
+
+from verify.language.record import Record
+from verify.language.terms import Term, as_term
+
+ZERO, ONE = as_term(0), as_term(1)
+#: A table has at most so many rows, and so many columns.
+MAX_SIDE = 8
+#: The largest matrix whose determinant is expanded.
+MAX_DETERMINANT = 5
+#: So many signs of functions and products of entries are read at most for a page.
+MAX_WORK = 2_000_000
+
+
+class Table(Record):
+    """A matrix by its rows, or a vector, which is one row."""
+
+    rows: tuple[tuple[Term, ...], ...]
+    is_matrix: bool
+
+    @property
+    def shape(self) -> str:
+        """What it is, in words."""
+        rows, columns = len(self.rows), len(self.rows[0])
+        return f"a matrix of {rows} by {columns}" if self.is_matrix else f"a vector of {columns}"
+
+    def entry(self, at: Sequence[int]) -> Value:
+        """The entry at a place, counted from 1; at one number, the row of a matrix.
+
+        Raises:
+            ValueError: if there is none.
+        """
+        row, column = (*at, 1)[:2] if self.is_matrix else (1, *at)[:2]
+        fits = 1 <= len(at) <= 1 + self.is_matrix
+        if not (fits and 1 <= row <= len(self.rows) and 1 <= column <= len(self.rows[0])):
+            raise ValueError(f"{self.shape} has no entry [{', '.join(map(str, at))}]")
+        if self.is_matrix and len(at) == 1:
+            return Table((self.rows[row - 1],), False)
+        return self.rows[row - 1][column - 1]
+
+    def each(self, changed: Callable[[Term], Term]) -> Table:
+        """The table of the entries after a change."""
+        return Table(tuple(tuple(map(changed, row)) for row in self.rows), self.is_matrix)
+
+
+#: What a formula, or a part of it, stands for.
+Value = Term | Table
+
+
+class Spent:
+    """What the functions and tables of a page have cost so far, and which functions were used."""
+
+    def __init__(self) -> None:
+        self.work = 0
+        self.used: set[str] = set()
+
+    def spend(self, work: int) -> None:
+        """Count some work.
+
+        Raises:
+            ValueError: if it is too much for one page.
+        """
+        self.work += work
+        if self.work > MAX_WORK:
+            raise ValueError("its functions and tables are too much work; name their parts")
+
+
+def size_of(*values: Value) -> int:
+    """The product of the numbers of entries, which bounds the work on some tables."""
+    return prod(len(v.rows) * len(v.rows[0]) for v in values if isinstance(v, Table))
+
+
+def table_of(rows: Sequence[Sequence[Term]], is_matrix: bool) -> Table:
+    """The vector or matrix with these rows.
+
+    Raises:
+        ValueError: if rows differ in length, are empty, or are too many or too long.
+    """
+    lengths = {len(row) for row in rows}
+    if not lengths or 0 in lengths:
+        raise ValueError("it has no entry")
+    if len(lengths) > 1:
+        raise ValueError("its rows have different lengths")
+    if max(len(rows), *lengths) > MAX_SIDE:
+        raise ValueError(f"it has more than {MAX_SIDE} rows or columns")
+    return Table(tuple(map(tuple, rows)), is_matrix)
+
+
+def added(x: Value, y: Value, sign: str) -> Value:
+    """The sum or the difference of two terms, or of two tables.
+
+    Raises:
+        ValueError: if they do not fit together.
+    """
+    if isinstance(x, Term) and isinstance(y, Term):
+        return x + y if sign == "+" else x - y
+    if isinstance(x, Term) or isinstance(y, Term) or x.shape != y.shape:
+        told = [v.shape if isinstance(v, Table) else "a number" for v in (x, y)]
+        raise ValueError(f"{told[0]} and {told[1]} have no sum")
+    joined = _sum if sign == "+" else _difference
+    pairs = (zip(*two, strict=True) for two in zip(x.rows, y.rows, strict=True))
+    return Table(tuple(tuple(joined(a, b) for a, b in row) for row in pairs), x.is_matrix)
+
+
+def negative(x: Value) -> Value:
+    """Minus a term, or a table."""
+    return -x if isinstance(x, Term) else x.each(lambda a: a if a is ZERO else -a)
+
+
+def times(x: Value, y: Value) -> Value:
+    """The product of two terms, two tables, or a term and a table.
+
+    Raises:
+        ValueError: if they do not fit together.
+    """
+    if isinstance(x, Term):
+        return x * y if isinstance(y, Term) else y.each(lambda a: _product(x, a))
+    if isinstance(y, Term):
+        return x.each(lambda a: _product(a, y))
+    columns = tuple(zip(*y.rows, strict=True)) if y.is_matrix else y.rows
+    if len(x.rows[0]) != len(columns[0]):
+        raise ValueError(f"{x.shape} and {y.shape} have no product")
+    found = tuple(tuple(_dot(row, column) for column in columns) for row in x.rows)
+    if x.is_matrix and y.is_matrix:
+        return Table(found, True)
+    if x.is_matrix:
+        return Table((tuple(entry for (entry,) in found),), False)
+    return Table(found, False) if y.is_matrix else found[0][0]
+
+
+def over(x: Value, y: Value) -> Value:
+    """The quotient by a number.
+
+    Raises:
+        ValueError: if the divisor is a table.
+    """
+    if isinstance(y, Table):
+        raise ValueError(f"{y.shape} is no divisor")
+    return x / y if isinstance(x, Term) else x.each(lambda a: a if a is ZERO else a / y)
+
+
+def determinant(matrix: Value) -> Term:
+    """The determinant, expanded along the first row.
+
+    Raises:
+        ValueError: for what is no square matrix, or a large one.
+    """
+    if not isinstance(matrix, Table) or not matrix.is_matrix:
+        raise ValueError("det is of a matrix")
+    if len(matrix.rows) != len(matrix.rows[0]) or len(matrix.rows) > MAX_DETERMINANT:
+        most = f"{MAX_DETERMINANT} by {MAX_DETERMINANT}"
+        raise ValueError(f"det is of a square matrix, at most {most}, not of {matrix.shape}")
+    return _expanded(matrix.rows)
+
+
+def _expanded(rows: tuple[tuple[Term, ...], ...]) -> Term:
+    first, *others = rows
+    if not others:
+        return first[0]
+    result = ZERO
+    for j, entry in enumerate(first):
+        if entry is not ZERO:
+            minor = tuple(row[:j] + row[j + 1 :] for row in others)
+            part = _product(entry, _expanded(minor))
+            result = _sum(result, -part if j % 2 else part)
+    return result
+
+
+def form(u: Value, gram: Value, v: Value) -> Term:
+    """The sum of all ``gram[i, j]*(u[i]*v[j])``, row by row.
+
+    Raises:
+        ValueError: if these are not a vector, a matrix and a vector that fit.
+    """
+    tables = [value for value in (u, gram, v) if isinstance(value, Table)]
+    if [table.is_matrix for table in tables] != [False, True, False]:
+        raise ValueError("form is of a vector, a matrix and a vector")
+    ((x,), _), (rows, _), ((y,), _) = tables
+    if len(x) != len(rows) or len(y) != len(rows[0]):
+        raise ValueError(f"{', '.join(table.shape for table in tables)} do not fit together")
+    return _total(
+        _product(g, _product(a, b))
+        for a, row in zip(x, rows, strict=True)
+        for g, b in zip(row, y, strict=True)
+    )
+
+
+def _dot(u: Sequence[Term], v: Sequence[Term]) -> Term:
+    return _total(_product(a, b) for a, b in zip(u, v, strict=True))
+
+
+def _total(terms: Iterable[Term]) -> Term:
+    result = ZERO
+    for term in terms:
+        result = _sum(result, term)
+    return result
+
+
+def _sum(a: Term, b: Term) -> Term:
+    return b if a is ZERO else a if b is ZERO else a + b
+
+
+def _difference(a: Term, b: Term) -> Term:
+    return a if b is ZERO else _sum(a, -b)
+
+
+def _product(a: Term, b: Term) -> Term:
+    if a is ZERO or b is ZERO:
+        return ZERO
+    return b if a is ONE else a if b is ONE else a * b

@@ -24,7 +24,7 @@ from verify.check_map import GIVEN
 from verify.cli import _EXIT_CODES, COMMANDS
 from verify.language.statement import NEEDED, OTHERWISE
 from verify.paper.glossary import LETTERS
-from verify.paper.in_coq import IN_COQ
+from verify.paper.in_coq import CITED_IN_COQ, IN_COQ
 from verify.paper.theorem1 import theorem
 from verify.prover.proof import Shape, shapes
 from verify.prover.rules import RULES
@@ -204,6 +204,45 @@ RUNS = {
 }
 
 
+#: What one believes who takes the word of a judge.
+BELIEVED = {
+    "FLINT at a point": "the ball arithmetic of FLINT, and this program",
+    "the checker": "`verify/check.py` and Python",
+    "verify/check_map.py": "`verify/check_map.py` and Python",
+    "balls along monotone orbits": "FLINT, this program, and a theorem that Coq proves",
+}
+#: Who judges what one runs; each also as words of a command that shows it.
+JUDGES = {
+    "`verify theorem1 --r R`, `verify scene`": "FLINT at a point",
+    "either with `--out`, and all commands that are not named here": "the checker",
+    "`verify map`": "verify/check_map.py",
+    "`verify separatrix` without `--all` and `--out`": "balls along monotone orbits",
+}
+
+
+def believed() -> str:
+    """What is believed, in short, as it stands in README.md."""
+    ours = "that our rows say what the paper says"
+    rows = [
+        ("any command", f"the assumptions that are listed with the verdict, and {ours}"),
+        *((run, BELIEVED[judge]) for run, judge in JUDGES.items()),
+        (
+            "`verify/coq/build`",
+            "Coq, and that [its definitions](docs/explanation/coq.md) say what is meant",
+        ),
+    ]
+    head, _, *lines = table(("If you run", "you believe"), rows).split("\n")
+    return "\n".join([head, "|---|---|", *lines])
+
+
+def sharper_givens() -> str:
+    """All that the sharper theorem asks of the numbers and of the state."""
+    report = (ROOT / "certificates/sharper/report.md").read_text(encoding="utf-8")
+    context = report.split("## Context `start`\n")[1].split("\n## ")[0]
+    lines = (line.split(" | ") for line in context.split("\n") if line.endswith(" | plain |"))
+    return table(("Given", "Claim"), ([line[0][2:], escaped(line[1])] for line in lines))
+
+
 def believed_and_proved() -> str:
     """For what one runs: who judges, what is believed, and what Coq proves of that."""
     accepted = {item["folder"] for item in in_coq()["certificates"]}
@@ -256,8 +295,15 @@ def sentences_of(folder: str) -> list[tuple[str, bool]]:
         if (name := one["name"]) in used
     ]
     cited = [cite["theorem"] for cite in statement["cites"]]
-    inner = (f for f, other in statements().items() if other["theorem"] in cited and "/" not in f)
-    return [*own, *(pair for one in inner for pair in sentences_of(one))]
+    in_coq = CITED_IN_COQ.get(statement["theorem"], {})
+    inner = (
+        (other["theorem"], pair)
+        for folder, other in statements().items()
+        if other["theorem"] in cited and "/" not in folder
+        for pair in sentences_of(folder)
+    )
+    # Where Coq proves what is cited, only its definitions are believed.
+    return [*own, *(pair for name, pair in inner if name not in in_coq or "(" in pair[0])]
 
 
 def letters() -> str:
@@ -522,6 +568,7 @@ FRAGMENTS: dict[str, Callable[[], str]] = {
     function.__name__: function
     for function in (
         believed_and_proved,
+        sharper_givens,
         *(row_counts, defects, changes, causes, remarks, assumptions, letters, exit_codes),
         *(commands, schemas, law, precision, equal_width, double_verdicts, maps, growth),
         *(house, imports),

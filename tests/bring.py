@@ -1,5 +1,7 @@
 """What is made from the program and comes with it: copies of certificates, and the index of places.
 
+Of each page of the paper it records the text that makes the certificate, by its digest.
+
 ``python -m tests.bring``, after a change to a row or to a certificate, writes `verify/data` and the
 digests in `verify/wire/packaged.py`. Some certificates cite others: after it wrote something, run
 ``verify certify`` again, and then this, until nothing is written. With ``--compare`` it writes
@@ -15,8 +17,10 @@ from pathlib import Path
 
 from verify.paper.commands import index
 from verify.paper.commands.everywhere import decide_printed_everywhere
+from verify.paper.commands.pages import content as content_of
+from verify.paper.commands.pages import decide
 from verify.paper.commands.places import places
-from verify.wire.packaged import AS_PRINTED, PACKAGED, PACKAGED_FILES
+from verify.wire.packaged import AS_PRINTED, PACKAGED, PACKAGED_FILES, PAGES
 from verify.wire.write import write
 
 ROOT = Path(__file__).parents[1]
@@ -32,6 +36,11 @@ def files() -> Iterator[tuple[Path, bytes]]:
             content = made.get(file) or (ROOT / "certificates" / name / file).read_bytes()
             code = code.replace(old[file], sha256(content).hexdigest())
             yield Path(PACKAGED, name, file), content
+    for page, (name, old) in PAGES.items():
+        made = write(decide(page))
+        if any(made[file] != (ROOT / "certificates" / name / file).read_bytes() for file in made):
+            raise SystemExit(f"verify/paper/{page}.toml has changed: run `verify certify` first")
+        code = code.replace(old, sha256(content_of(page)).hexdigest())
     yield DIGESTS, code.encode()
     yield Path(index.INDEX), index.text(places()).encode()
 

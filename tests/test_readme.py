@@ -1,4 +1,7 @@
-"""README.md and docs/: counts are the program's, paths and links lead somewhere, nothing grows."""
+"""README.md and docs/: what they say of the program is so, links lead somewhere, nothing grows.
+
+Numbers are in `tests.test_prose`.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +23,6 @@ from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import REPAIRED
 from verify.paper.rows import BREAKS
 from verify.paper.theorem1 import theorem
-from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 
 sys.path.append(str(ROOT / "docs"))
 
@@ -33,23 +35,6 @@ def words(page: str) -> str:
 
 
 # --- figures -------------------------------------------------------------------------------------
-
-
-def counts() -> str:
-    """What is wrong with the print at the point of the README, as it stands there."""
-    from generated import figures
-
-    found = figures()
-    return (
-        f"{found['refuted']} of its claims are refuted at r = 0.03, θ₀ = π, or at another point "
-        f"that is named. {found['breaking']} of the {found['refuted']}, with "
-        f"{found['breaking_causes']} causes, break the argument; {found['harmless']} are false but "
-        f"harmless; {found['slips']} are slips of wording."
-    )
-
-
-def test_the_counts_are_right() -> None:
-    assert counts() in words("README.md"), f"write in README.md: {counts()}"
 
 
 def test_what_breaks_the_argument_has_two_causes() -> None:
@@ -69,23 +54,6 @@ def test_the_assumptions_are_those_of_the_readme() -> None:
     assert outcome.assumptions == every.assumptions
     kinds = sorted(assumption.kind for assumption in outcome.assumptions)
     assert kinds == ["definition", *["general mathematics"] * 4, *["numbered glue"] * 4]
-    assert f"Given {len(kinds)} assumptions*: a definition" in words("README.md")
-
-
-def test_what_the_verdicts_on_the_print_rest_on() -> None:
-    from generated import sentences_of
-
-    readme, tutorial = words("README.md"), words("docs/tutorials/referee.md")
-    for folder, short in (
-        ("printed-sign", "sentences for the sign"),
-        ("printed-set", "for the set"),
-    ):
-        found = [proved and "(" not in name for name, proved in sentences_of(folder)]
-        proved = str(sum(found) or "none")
-        assert re.search(
-            f" {len(found)} {short}, of which (Coq|it) has proved {proved}[ ,.]", readme
-        )
-        assert f"rests on {len(found)} sentences, of which Coq has proved {proved}" in tutorial
 
 
 def test_what_is_generated_is_there() -> None:
@@ -108,11 +76,6 @@ def test_the_changes_are_those_of_the_repaired_set() -> None:
     assert "one more entry in the minimum that defines δ_x: (V₀/V₁) δ₂² h₅/12" in words(
         "docs/explanation/proof.md"
     )
-
-
-def test_the_precision_of_the_glossary() -> None:
-    said = f"{DEFAULT_PRECISION} bits, doubled up to {DEFAULT_MAX_PRECISION}"
-    assert said in words("docs/reference/glossary.md")
 
 
 def test_equal_width() -> None:

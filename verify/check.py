@@ -13,7 +13,7 @@ floating point, and no tolerance.
 
 Exit codes: 0 all is proved; 1 a needed row is refuted, or a proof is refused; 2 a file cannot be
 read; 3 all is proved but for what is cited; 4 a file is malformed, or the two do not belong
-together.
+together; 5 this program fails, for example where there is too little memory.
 """
 
 from __future__ import annotations
@@ -386,7 +386,7 @@ class Kernel:
     def substitute(self, claim: Claim, context: Context, at: Mapping[int, int]) -> Claim:
         """The claim at terms for the variables of a context, whose constants are unfolded."""
         self.spend(0, 2)
-        new = dict(at)
+        new: dict[int, int] = {}  # the values are looked up where they are, however many there are
 
         def is_leaf(term: int) -> bool:
             return term in at or self.homes[term] is not context
@@ -395,11 +395,12 @@ class Kernel:
             node = self.nodes[term]
             if term in self.definitions:
                 definition = self.definitions[term]
-                new[term] = new.get(definition, definition)
+                new[term] = new.get(definition, at.get(definition, definition))
             else:
-                args = [new.get(arg, arg) for arg in node.subterms]
+                args = [new.get(arg, at.get(arg, arg)) for arg in node.subterms]
                 new[term] = self.node(node.op, args, *node.rest)
-        return Claim(claim.relation, new.get(claim.lhs, claim.lhs), new.get(claim.rhs, claim.rhs))
+        lhs, rhs = (new.get(side, at.get(side, side)) for side in (claim.lhs, claim.rhs))
+        return Claim(claim.relation, lhs, rhs)
 
     # --- the rules; each returns only if its claim is proved at the place -----------------------
 
@@ -1218,6 +1219,7 @@ class Slopes:
 
     def near_end(self, claim: Claim, is_above: bool) -> list[int]:
         """The end of a bound on the variable below (or above) it; refused for another claim."""
+        self.kernel.spend(0, 4)
         if not self.has(claim.lhs) and not self.has(claim.rhs):
             return []
         is_lower = claim.rhs == self.x
@@ -2053,10 +2055,13 @@ class Reader:
         data = self.at_hand(digest)
         self.kernel.introduce(full)
         self.kernel.spend(0, 100 + len(data) // 3)
+        self.kernel.spend(0, brackets(data))
         document = parsed("cited statement", data, STATEMENT)
         good = document["theorem"] == cite["theorem"]
         need(good, Malformed, "cites: found {} under another title", cite["theorem"])
         inner = self.read(document, f"{full}:")
+        for name in inner.sentences:  # each is told under the name that it has here
+            self.kernel.spend(0, 1 + len(f"{full}:{name}") // 4)
         return [Cite(full, cite["theorem"], digest, inner.sentences), *inner.cites]
 
     def constants(self, items: list[dict[str, Any]], context: Context, prefix: str) -> None:
@@ -2361,6 +2366,11 @@ class Report(NamedTuple):
     work: int = 0
 
 
+def brackets(data: bytes) -> int:
+    """How many lists and objects a file has at most: they take most memory for their bytes."""
+    return data.count(b"[") + data.count(b"{")
+
+
 def parsed(where: str, data: bytes, shape: Shape) -> Any:
     """The document in a JSON file, where natural numbers below 10^9 are the only numbers."""
 
@@ -2400,14 +2410,15 @@ def check(
     ``available`` has the bytes of statements that may be cited, by their digests; ``work`` is the
     limit, if it is another one.
     """
-    document = parsed("statement", first, STATEMENT)
-    certificate = parsed("certificate", second, CERTIFICATE)
-    digest, found = sha256(first).hexdigest(), certificate["statement_sha256"]
-    need(found == digest, Malformed, "statement_sha256: found {}, expected {}", found, digest)
     kernel = Kernel()
     kernel.work = limit = MAX_WORK if work is None else work
     try:
         kernel.spend(0, (len(first) + len(second)) // 8)
+        kernel.spend(0, brackets(first) + brackets(second))
+        document = parsed("statement", first, STATEMENT)
+        certificate = parsed("certificate", second, CERTIFICATE)
+        digest, found = sha256(first).hexdigest(), certificate["statement_sha256"]
+        need(found == digest, Malformed, "statement_sha256: found {}, expected {}", found, digest)
         reader = Reader(kernel, available)
         return checked(reader, reader.read(document), certificate, digest, limit)
     finally:
@@ -2632,6 +2643,12 @@ def complaint(words: str, code: int) -> int:
     return code
 
 
+def unexpected(kind: type[BaseException], *_: object) -> None:
+    """End with code 5 where nobody has caught an error: Python ends with 1, which means refused."""
+    os.write(2, b"check: no verdict, as this program failed: %s\n" % kind.__name__.encode())
+    os._exit(5)
+
+
 def output(lines: list[str], code: int) -> int:
     """Print the report, and return the exit code; 141 if its reader has left, 2 if it cannot be."""
     text = "\n".join(line if line.isprintable() else ascii(line) for line in lines)
@@ -2650,5 +2667,6 @@ def output(lines: list[str], code: int) -> int:
 
 
 if __name__ == "__main__":
+    sys.excepthook = unexpected
     gc.disable()  # almost no garbage is cyclic here, and looking for it takes time
     sys.exit(main(sys.argv[1:]))

@@ -24,7 +24,8 @@ collision or not. Scenes with a triple contact or an overlap at the start are ex
 That only finitely many collisions are possible is said unless all three touch at once later.
 
 The exit code is 0 if all is proved, 1 if a verdict is not, 4 if a log is malformed, 2 if a file
-cannot be read. Work is counted: a box, and a log without `--long`, is refused where it is too much.
+cannot be read, 5 if this program fails, for example where there is too little memory. Work is
+counted: a box, and a log without `--long`, is refused where it is too much.
 """
 
 from __future__ import annotations
@@ -1113,11 +1114,18 @@ def operations(term: Term) -> int:
 
 
 def price_of(plane: Plane) -> int:
-    """What it costs to begin with a box."""
-    if not isinstance(plane, Family):
+    """What it costs to begin with a box: for many coordinates, and long terms, it is more.
+
+    There are 30 inner products in n dimensions, and `turns` has 2 n (n - 1) products, which cost
+    twice as much.
+    """
+    if not isinstance(plane, Through | Family):
         return BOX_PRICE
-    terms = (plane.r, *(term for _, term in varying(plane)))
-    return BOX_PRICE + sum(map(operations, terms)) // 8
+    n, found = len(plane.positions[0]), varying(plane)
+    moving = len({(name, k) for (name, _, k), _ in found})
+    products = max(15 * moving, 4 * n * (n - 1))
+    r = operations(plane.r) + sum(operations(term) for _, term in found)
+    return BOX_PRICE + r // 8 + products // 32
 
 
 def _products(
@@ -1295,16 +1303,16 @@ def check_log(lines: Iterator[bytes], most: int | None = MAX_WORK) -> tuple[Plan
         raise LogError("expected a first level from 1 to 8")
     if isinstance(plane, Strip) and 1 << level != len(plane.curve):
         raise LogError("expected a first box for each part of the curve")
-    tally, rules = Tally(plane), rules_of(plane)
-    law = law_in(plane)
+    tally, rules, law = Tally(plane), rules_of(plane), law_in(plane)
     begin, work, digits = beginning(law, plane), Work(most), digits_of(plane)
+    least = 0 if rules.is_line else 6
     due, children = [_key(i, level, digits) for i in range(len(digits) ** level)], list[str]()
     at = 0
     for line in lines:
         chain, record = _line(line, chain, RECORD)
         if at == len(due):
             level, due, children, at = level + 1, children, [], 0
-        keys, letters, numbers = _boxes(record, level, 0 if rules.is_line else 6)
+        keys, letters, numbers = _boxes(record, level)
         if not keys or keys != due[at : at + len(keys)]:
             raise LogError("boxes are not those that the boxes before have left, in their order")
         at += len(keys)
@@ -1314,7 +1322,7 @@ def check_log(lines: Iterator[bytes], most: int | None = MAX_WORK) -> tuple[Plan
             if letter == "u":
                 children += [key + digit for digit in digits]
                 continue
-            found = next(given, []) if letter == "c" else []
+            found = sixes(next(given), "c", least) if letter == "c" else []
             prove_box(law, begin, key, letter, found, work, rules)
             tally.add(key, letter)
     return plane, tally.areas(is_whole=at == len(due) and not children)
@@ -1469,9 +1477,7 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return found
 
 
-def _boxes(
-    record: dict[str, Any], level: int, least: int = 6
-) -> tuple[list[str], str, list[list[tuple[Interval, ...]]]]:
+def _boxes(record: dict[str, Any], level: int) -> tuple[list[str], str, list[object]]:
     keys, letters, numbers = record["keys"], record["verdicts"], record["numbers"]
     if type(record["level"]) is not int or record["level"] != level or level > MAX_LEVEL:
         raise LogError(f"expected boxes of level {level}")
@@ -1484,7 +1490,7 @@ def _boxes(
         raise LogError("expected a verdict for each key")
     if len(numbers) != letters.count("c"):
         raise LogError("expected numbers for each box that collapses")
-    return found, letters, [sixes(flat, "c", least) for flat in numbers]
+    return found, letters, numbers  # which `sixes` reads one by one: there may be very many
 
 
 def sixes(flat: object, letter: str, least: int = 6) -> list[tuple[Interval, ...]]:
@@ -1802,6 +1808,12 @@ def complaint(words: str, code: int) -> int:
     return code
 
 
+def unexpected(kind: type[BaseException], *_: object) -> None:
+    """End with code 5 where nobody has caught an error: Python ends with 1, which means refused."""
+    os.write(2, b"check_map: no verdict, as this program failed: %s\n" % kind.__name__.encode())
+    os._exit(5)
+
+
 def output(lines: list[str], code: int) -> int:
     """Print the lines, and return the exit code; 141 if their reader has left, 2 if they cannot."""
     try:
@@ -1819,4 +1831,5 @@ def output(lines: list[str], code: int) -> int:
 
 
 if __name__ == "__main__":
+    sys.excepthook = unexpected
     sys.exit(main(sys.argv[1:]))

@@ -38,8 +38,8 @@ from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.questions import decide
 from verify.wire.read import cites_of
 from verify.wire.text.letters import letter_of
+from verify.wire.text.page_tables import NAME
 from verify.wire.text.points import estimate
-from verify.wire.text.read_page import NAME
 from verify.wire.text.read_page import read_page as read_text
 from verify.wire.text.roots import Isolated, isolated
 from verify.wire.text.write_page import page_text
@@ -50,7 +50,9 @@ Claims = Mapping[str, Claim] | Iterable[Claim]
 
 
 #: No publication: a statement of one's own is about no text that the program knows.
-NO_PAPER = Publication("", "", "", "", lambda _: None, {}, {}, lambda: Notes((), (), (), {}))
+NO_PAPER = Publication(
+    "", "", "", "", lambda _: None, {}, {}, {}, (), lambda: Notes((), (), (), {}), lambda: "", {}
+)
 
 
 class Result(Outcome):

@@ -14,13 +14,17 @@ from typing import Any
 import pytest
 
 from verify import check_map
-from verify.paper.sharper.state import ROOM, SUMS, T, V, eta_0, k, total
+from verify.language.terms import symbol
+from verify.paper.commands.pages import page
 from verify.prover.program import ExactArithmetic, Machine, Program
 from verify.spheres.map.boxes import verdicts
 from verify.spheres.map.closing import NUMBERS, OTHERS
 from verify.spheres.map.log import plane_document
 from verify.spheres.map.planes import Phi
 
+START = page("sharper").statement.context("start")
+#: What is asked of the numbers alone.
+ROOM = {name: claim for name, claim in START.claims.items() if not name.startswith("start-")}
 PLANE = Phi(Fraction(3, 100), Fraction(1))
 #: Nearly: roots are rounded up to so many digits.
 ABOVE = 10**40
@@ -45,8 +49,9 @@ def violated(numbers: dict[str, Fraction], z: check_map.Sight) -> set[str]:
     values["T"] = 2 * numbers["k"] / (1 + root_above(square) - Fraction(2, ABOVE))
     values["V_0"] = max(root_above(max(at["A"], at["B"])), values["eta_0"])
     program = Program((*NUMBERS, *OTHERS))
-    parts = (SUMS[f"turn_{i}"].term for i in (1, 2, 3))
-    program.define("Theta", total(eta_0, *parts))
+    turns = {constant.name: constant.term for constant in START.constants}
+    first, second, third = (turns[f"turn_{i}"] * symbol("eta_0") ** i for i in (1, 2, 3))
+    program.define("Theta", first + second + third)
     for claim in ROOM.values():
         program.add(claim.lhs), program.add(claim.rhs)
     names = (*NUMBERS, *OTHERS)
@@ -229,4 +234,4 @@ def test_the_last_conditions_hold_in_whole_intervals(moved: tuple[int, int] | No
 
 
 def test_the_letters_are_those_of_the_theorem() -> None:
-    assert [str(x.args[0]) for x in (k, V, T)] == ["k", "V", "T"]
+    assert {*NUMBERS, *OTHERS, "Theta"} <= {variable.name for variable in START.variables}

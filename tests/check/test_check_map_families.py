@@ -409,6 +409,16 @@ def test_terms_are_counted_and_told() -> None:
     assert check_map.price_of(check_map.plane_of(PLANE)) == check_map.BOX_PRICE
 
 
+@pytest.mark.parametrize(("n", "moving", "more"), [(3, 3, 2), (20, 0, 47), (20, 20, 47), (8, 8, 7)])
+def test_a_box_costs_more_in_many_dimensions(n: int, moving: int, more: int) -> None:
+    """15 products for each coordinate of places or velocities that varies, or 4 n (n - 1)."""
+    here = ["x"] * moving + ["0"] * (n - moving)
+    rows = [here, ["100"] + ["0"] * (n - 1), ["-100"] + ["0"] * (n - 1)]
+    plane = family(positions=rows, velocities=rows)
+    assert max(15 * 2 * moving, 4 * n * (n - 1)) // 32 == more
+    assert check_map.price_of(plane) == check_map.BOX_PRICE + more
+
+
 def test_which_coordinates_vary_and_which_scenes_are_on_a_line() -> None:
     moved = family(velocities=[["0", "0"], ["x", "0"], ["1", "0"]], r="1/20")
     assert check_map.varying(moved) == [(("velocities", 1, 0), "x")]

@@ -329,7 +329,8 @@ def test_a_cited_statement_is_parsed() -> None:
     digest = sha256(data).hexdigest()
     reader = check.Reader(ledger, {digest: data})
     reader.cite({"name": "o", "theorem": "other", "statement_sha256": digest}, "")
-    assert ledger.bill()[:2] == [(0, 1), (0, 100 + len(data) // 3)]
+    brackets = data.count(b"[") + data.count(b"{")
+    assert ledger.bill()[:3] == [(0, 1), (0, 100 + len(data) // 3), (0, brackets)]
 
 
 @pytest.mark.parametrize("end", ["-1.25e-30", "3e77", "3"])
@@ -355,7 +356,8 @@ def test_both_files_are_parsed() -> None:
         patch.setattr(check, "Kernel", Kernel)
         check.check(*pair.files(), {}, room)
     first, second = pair.files()
-    assert spent[0] == (0, (len(first) + len(second)) // 8)
+    brackets = sum(data.count(sign) for data in (first, second) for sign in (b"[", b"{"))
+    assert spent[:2] == [(0, (len(first) + len(second)) // 8), (0, brackets)]
 
 
 def test_a_quotient_by_a_number_is_a_product_with_each_monomial(ledger: Ledger) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from hashlib import sha256
 from typing import Any
 
 import pytest
@@ -163,3 +164,63 @@ def test_a_name_of_a_fact_with_too_many_colons() -> None:
     name = "a:" * 2_000_000 + "a"
     pair = Pair().row("row", "0 < 1", total("goal", using=[name]))
     assert answer(pair)[1][0].endswith("expected the name of a fact")
+
+
+def slopes_beside(givens: int, steps: int) -> Pair:
+    """Proofs by the sign of a derivative in a context with givens about something else."""
+    pair = Pair().row("row", "0 <= 1", INTERVAL)
+    others = {f"g{i}": ["<", "0", "1"] for i in range(givens)}
+    pair.context("c", {"x": "1"}, others | {"low": "0 <= x"}, [INTERVAL] * (givens + 1))
+    proof = {
+        "rule": "derivative", "variable": "x", "side": "above", "strict": "start", "at": "0",
+        "term": "1", "start": INTERVAL, "order": "low", "sign": INTERVAL, "bounds": [INTERVAL],
+    }  # fmt: skip
+    for i in range(steps):
+        pair.lemma(f"l{i}", "0 <= x", proof, "c")
+    return pair
+
+
+def test_givens_that_a_derivative_looks_at_are_counted() -> None:
+    more = [work(slopes_beside(n, 20)) - work(slopes_beside(n, 10)) for n in (1, 101)]
+    assert more[1] - more[0] >= 10 * 100 * 8
+
+
+def test_values_are_not_copied_for_each_given() -> None:
+    """A context may have as many variables as givens."""
+
+    class Uncopied(dict[int, int]):
+        def __iter__(self) -> Any:
+            raise AssertionError("the values are copied")
+
+        def keys(self) -> Any:
+            raise AssertionError("the values are copied")
+
+    kernel = check.Kernel()
+    context = check.Context("c", kernel.outermost)
+    x, y = kernel.new_name("x", context), kernel.new_name("y", context)
+    seven, eight = (kernel.rational(Fraction(n)) for n in (7, 8))
+    total_ = kernel.node("add", (x, y))
+    at = Uncopied({x: seven, y: eight})
+    found = kernel.substitute(check.Claim("<", total_, y), context, at)
+    assert found == check.Claim("<", kernel.node("add", (seven, eight)), eight)
+    assert kernel.substitute(check.Claim("<", x, seven), context, at).lhs == seven
+
+
+def test_lists_in_files_are_counted() -> None:
+    """They take most memory for their bytes."""
+    pair = Pair().row("row", "0 <= 1", INTERVAL)
+    before = work(pair)
+    pair.terms["idle"] = [[]] * 10_000  # which nobody reads
+    assert 2 * 10_000 <= work(pair) - before < 4 * 10_000
+
+
+def test_sentences_are_counted_under_the_names_that_are_told() -> None:
+    other = Pair("T").row("row", "0 <= 1", INTERVAL)
+    for i in range(50):
+        other.assume(f"a{i}")
+    found = []
+    for length in (1, 81):
+        pair = Pair().row("row", "0 <= 1", INTERVAL).cite("c" * length, other)
+        available = {sha256(other.files()[0]).hexdigest(): other.files()[0]}
+        found.append(check.check(*pair.files(), available).work)
+    assert found[1] - found[0] >= 50 * 80 // 4 * 2

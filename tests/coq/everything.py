@@ -13,16 +13,17 @@ from __future__ import annotations
 import json
 import sys
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import redirect_stdout
 from fractions import Fraction
 from io import StringIO
 from pathlib import Path
+from typing import Any
 
 from tests.coq.closing import BALLS, BUILT, ROOT, module, unread
 from verify import check
 from verify.cli import main
-from verify.paper.in_coq import IN_COQ
+from verify.paper.in_coq import CITED_IN_COQ, IN_COQ
 from verify.wire.coq.export import export
 
 #: What Theorem1.v says and Pinned.v says once more, each of them proved.
@@ -43,6 +44,15 @@ POINTS = (
     "  d s d_0 y -> Theorem1.collapse d (1 / 100) s (463 / 5000000000000)",
     "  (- cos (PI * (5 / 6))) (1 / 10) := Angle.three_balls.",
 )
+#: Which collapses there are, what becomes of scenes, and the spectrum.
+COLLAPSES = (
+    "no_triangle", "least_angle", "bounded_impulse", "no_spin", "finite_or_endless", "finite_if",
+)  # fmt: skip
+MATRIX = ("basis_theorem", "matrix_theorem", "stated_theorem", "one_triple_theorem")
+VALUES = (
+    "characteristic_theorem", "spectrum_theorem", "eigenvector_theorem", "parameter_theorem",
+    "orbit_theorem",
+)  # fmt: skip
 #: What it means that the program accepts the bytes of a certificate with a statement's digest.
 FILES = (
     "From Verify Require Json DecodeStatement AcceptsFiles PinnedFiles.",
@@ -62,6 +72,8 @@ COLLAPSING = {
     "in-space": ("01 12", "120", "6277/20000 7933/25000 97079/100000 19831/20000"),
     "cut": ("01", "012", "305233/10000000 153313/5000000 486003/500000 486521/500000"),
 }
+#: The scenes with finitely many collisions, which are not all followed.
+FINITE = ("on-a-line", "spinning", "turning")
 #: Those whose certificates are made here; the others' are committed.
 OWN_SCENES = Path(__file__).with_name("scenes")
 #: The files of statements that are exported once more, after the flow, as `verify/coq/build` does.
@@ -69,9 +81,9 @@ AFTER_FLOW = {"Sharper": "sharper", "AsPrinted": "printed-set"}
 PARTS = ("the_nodes", "the_contexts", "the_rows", "the_citations", "the_statement")
 
 
-def conjunction(prefix: str) -> str:
+def conjunction(prefix: str, sentences: Iterable[str] = SENTENCES) -> str:
     """What is said of three balls, by names with a prefix."""
-    return " /\\ ".join(f"{prefix}{name}" for name in SENTENCES)
+    return " /\\ ".join(f"{prefix}{name}" for name in sentences)
 
 
 def dispersing(name: str) -> str:
@@ -86,15 +98,27 @@ def collapsing(name: str) -> str:
     return _about_scene(name, "collapses_after", pairs, [*more, *map(_number, bounds.split())])
 
 
+def finite(name: str) -> str:
+    """The same of a scene with finitely many collisions."""
+    scene = tomllib.loads(scene_file(name).read_text(encoding="utf-8"))
+    r, d = _number(scene["r"]), len(scene["positions"][0])
+    says = f"FiniteScenes.finite_after {d} {r} {_scene(scene)} []"
+    file = compiled(name)
+    return f"Theorem {file} : {says}.\nProof. exact Scene_{file}.three_balls. Qed."
+
+
+def _scene(scene: dict[str, Any]) -> str:
+    places, velocities = (_coordinates(scene[key]) for key in ("positions", "velocities"))
+    return f"(Theorem1.Scene {places} {velocities})"
+
+
 def _about_scene(name: str, kind: str, collisions: str, more: list[str]) -> str:
     scene = tomllib.loads(scene_file(name).read_text(encoding="utf-8"))
-    places, velocities = (_coordinates(scene[key]) for key in ("positions", "velocities"))
     pairs = [(f"Theorem1.B{i}", f"Theorem1.B{j}") for i, j in collisions.split()]
     times = "".join(f"exists t_{n}, " for n, _ in enumerate(pairs))
     meetings = "; ".join(f"({i}, {j}, t_{n})" for n, (i, j) in enumerate(pairs))
-    scene_ = f"(Theorem1.Scene {places} {velocities})"
     says = " ".join(
-        (f"{times}Runs.{kind} {len(scene['positions'][0])} {_number(scene['r'])}", scene_,
+        (f"{times}Runs.{kind} {len(scene['positions'][0])} {_number(scene['r'])}", _scene(scene),
          f"[{meetings}]", *more)
     )  # fmt: skip
     file = compiled(name)
@@ -130,7 +154,12 @@ def _coordinates(rows: list[list[object]]) -> str:
 
 def discharging() -> list[str]:
     """The theorems and definitions in Coq that stand for sentences taken on trust."""
-    sentences = [names for found in IN_COQ.values() for names in found.values()]
+    sentences = [
+        names
+        for known in (IN_COQ, CITED_IN_COQ)
+        for found in known.values()
+        for names in found.values()
+    ]
     return [*dict.fromkeys(name for names in sentences for name in names)]
 
 
@@ -155,7 +184,8 @@ def exports(directory: Path) -> Iterator[str]:
     for scene in sorted(OWN_SCENES.glob("*.toml")):
         made = directory / f"Scene_{compiled(scene.stem)}"
         with redirect_stdout(StringIO()):
-            if code := main(["scene", str(scene), "--out", str(made)]):
+            followed = ["--collisions", "0"] * (scene.stem in FINITE)
+            if code := main(["scene", str(scene), *followed, "--out", str(made)]):
                 raise SystemExit(f"{scene}: no certificate, exit code {code}")
         _export(made, True, made.with_suffix(".v"))
 
@@ -168,7 +198,7 @@ def _export(folder: Path, balls: bool, file: Path) -> None:
 def everything(folders: list[Path]) -> str:
     """The theorems about what is committed, one with another, and what they assume."""
     own = {module(folder): folder for folder in folders}
-    scenes = [*DISPERSING, *COLLAPSING]
+    scenes = [*DISPERSING, *COLLAPSING, *FINITE]
     lines = [f"From Verify Require {name}." for name in own]
     lines += [
         "From Verify Require Meaning Checker Accepted Closed Point Angle Pinned PinnedMeaning.",
@@ -176,11 +206,13 @@ def everything(folders: list[Path]) -> str:
         "From Verify Require Theorem1 FromNumbers.",
         "Open Scope R_scope.",
         *POINTS,
-        f"From Verify Require Runs {' '.join(f'Scene_{compiled(name)}' for name in scenes)}.",
+        "From Verify Require Runs FiniteScenes.",
+        f"From Verify Require {' '.join(f'Scene_{compiled(name)}' for name in scenes)}.",
         "From Coq Require Import List.",
         "Import ListNotations.",
         *map(dispersing, DISPERSING),
         *map(collapsing, COLLAPSING),
+        *map(finite, FINITE),
         "Definition soundness : forall S C, Checker.accepts S C = true ->",
         "  Meaning.citations_true S -> Meaning.true_statement S := Accepted.accepts_sound.",
         f"Definition theorem_1 : {conjunction('Pinned.')}",
@@ -189,6 +221,17 @@ def everything(folders: list[Path]) -> str:
         "From Verify Require PinnedPrintedSet.",
         "Definition printed_set : PinnedPrintedSet.printed_set_theorem",
         "  := PinnedPrintedSet.printed_set_proved.",
+        "From Verify Require PinnedClassification PinnedPrintedSign PinnedSpectrum.",
+        f"Definition classification : {conjunction('PinnedClassification.', COLLAPSES)}",
+        "  := PinnedClassification.classification_proved.",
+        "Definition printed_sign : PinnedPrintedSign.printed_sign_theorem",
+        "  := PinnedPrintedSign.printed_sign_proved.",
+        "Definition not_as_printed : ~ PinnedPrintedSign.as_printed",
+        "  := PinnedPrintedSign.false_as_printed.",
+        f"Definition matrix : {conjunction('PinnedSpectrum.', MATRIX)}",
+        "  := PinnedSpectrum.matrix_proved.",
+        f"Definition spectrum : {conjunction('PinnedSpectrum.', VALUES)}",
+        "  := PinnedSpectrum.spectrum_proved.",
         "From Verify Require PinnedSeparatrix SeparatrixProof.",
         "Definition separatrix : PinnedSeparatrix.separatrix_theorem",
         "  := SeparatrixProof.separatrix.",
@@ -204,7 +247,8 @@ def everything(folders: list[Path]) -> str:
         lines.append(f"  := {proof}.")
     names = "".join(f", true_{name}" for name in own)
     main = f"soundness, files, theorem_1, point, angle, {', '.join(map(compiled, scenes))}"
-    main += ", Pinned.collapsing_scene, printed_set, separatrix, discharged"
+    main += ", Pinned.collapsing_scene, printed_set, separatrix, discharged, classification"
+    main += ", printed_sign, not_as_printed, matrix, spectrum"
     lines.append(f"Definition everything := ({main}{names}).")
     return "\n".join([*lines, "Print Assumptions everything.", ""])
 

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tests.coq.closing import ROOT, module
-from tests.coq.everything import conjunction, everything, printed
+from tests.coq.everything import MATRIX, VALUES, conjunction, everything, printed
 from tests.coq.record import AnotherError, said_by_coq
 from tests.coq.sources import unexpected
 
@@ -167,6 +167,94 @@ PRINTED = {
 }  # fmt: skip
 PRINTED_STUB = "From Verify Require PrintedSet.\nAxioms lemma1 : PrintedSet.printed_set_theorem.\n"
 PRINTED_STUB += "Definition printed_set_theorem_holds := lemma1.\n"
+
+#: In the files that say which collapses there are, that the printed sign is wrong, and what the
+#: spectrum is, each seen by the page that pins it: hypotheses that nothing satisfies, a witness
+#: that satisfies not all of them, another order or ball, <= for <, the plane for R^d, less.
+OTHERS = {
+    "the-same-classification": Definition("Classification", "", ""),
+    "the-same-sign": Definition("PrintedSign", "", ""),
+    "the-same-spectrum": Definition("Spectrum", "", ""),
+    "sign-of-no-r": Definition("PrintedSign", "0 < r < 9 - 4", "0 < r < 8 - 4"),
+    "sign-as-corrected": Definition(
+        "PrintedSign",
+        "0 < - cos theta_0 < 2 * cube_root r * (1 + cube_root r) / (1 + r)",
+        "2 * cube_root r * (1 + cube_root r) / (1 + r) < - cos theta_0",
+    ),
+    "sign-in-the-plane": Definition("PrintedSign", "(2 <= d)%nat", "(2 = d)%nat"),
+    "sign-without-room": Definition("PrintedSign", "/\\ 0 < delta_theta.", "/\\ 0 <= delta_theta."),
+    "sign-at-the-bound": Definition(
+        "PrintedSign",
+        "- cos theta_0 + delta_theta < 4 * sqrt r / (1 + r)) /\\",
+        "- cos theta_0 + delta_theta <= 4 * sqrt r / (1 + r)) /\\",
+    ),
+    "sign-another-ball": Definition(
+        "PrintedSign", "in_turn_from N i j B0 a b", "in_turn_from N i j a B0 b"
+    ),
+    "sign-any-angle": Definition("PrintedSign", "(minus_cosine d at_T - c) <=", "(c - c) <="),
+    "sign-no-interior": Definition(
+        "PrintedSign", "has_interior d set /\\", "(exists s : scene, set s) /\\"
+    ),
+    "sign-fewer-angles": Definition("PrintedSign", "c + delta_theta < 4", "c + delta_theta < 3"),
+    "collapse-parts-at-once": Definition(
+        "Classification", "0 <= rate d s' i j", "0 < rate d s' i j"
+    ),
+    "collapse-one-order": Definition(
+        "Classification",
+        "scenes (S n) = collided d r (i n) (j n) arriving",
+        "scenes (S n) = collided d r B0 (j n) arriving",
+    ),
+    "collapse-least-angle": Definition("Classification", "4 * sqrt r / (1", "3 * sqrt r / (1"),
+    "collapse-second": Definition("Classification", "2 * cube_root r * (1", "cube_root r * (1"),
+    "collapse-acute": Definition("Classification", "(to at_T o c) <= 0", "(to at_T o c) <= 1"),
+    "collapse-at-no-r": Definition("Classification", "7 - 4 * sqrt 3 < r", "8 - 4 * sqrt 3 < r"),
+    "collapse-in-a-line": Definition(
+        "Classification", "forall d r s scenes time i j, 9",
+        "forall r s scenes time i j, let d := 1%nat in 9",
+    ),
+    "collapse-later": Definition("Classification", "0 < t < T -> coll", "0 < t < T / 2 -> coll"),
+    "collapse-slower": Definition("Classification", "6 <= size d s ->", "7 <= size d s ->"),
+    "matrix-entry": Definition("Spectrum", "- 59 * r - 1) / 64", "- 59 * r + 1) / 64"),
+    "matrix-order": Definition(
+        "Spectrum",
+        "collided d r B1 B2 (collided d r B0 B2",
+        "collided d r B0 B2 (collided d r B1 B2",
+    ),
+    "matrix-in-the-plane": Definition(
+        "Spectrum", "Prop := forall d r s u e f, ", "Prop := forall r s u e f, let d := 2%nat in "
+    ),
+    "matrix-no-triangle": Definition(
+        "Spectrum", "/\\ distance d s B1 B2 = 1.", "/\\ distance d s B1 B2 = 0."
+    ),
+    "spectrum-real": Definition("Spectrum", "0 < im /\\", "0 <= im /\\"),
+    "spectrum-closed-disk": Definition("Spectrum", "im ^ 2 < 1 /\\", "im ^ 2 <= 1 /\\"),
+    "spectrum-one-way": Definition(
+        "Spectrum", "eigenvector r mu nu u v) <->", "eigenvector r mu nu u v) ->"
+    ),
+    "spectrum-some-r": Definition(
+        "Spectrum",
+        "spectrum_theorem : Prop := forall r, 0 < r < 1",
+        "spectrum_theorem : Prop := forall r, 0 < r < 1 / 2",
+    ),
+    "spectrum-no-decay": Definition("Spectrum", "exists q, 0 < q < 1 /\\", "exists q, 0 < q /\\"),
+}  # fmt: skip
+#: The page that pins each of the three, and the files with proofs on which it rests, with what they
+#: prove: a theorem for each proposition.
+PAGES = {
+    "Classification": (
+        "PinnedClassification",
+        {
+            "ClassificationProof": (
+                "no_triangle", "least_angle", "never", "bounded_impulse", "no_spin",
+                "never_with_spin", "never_outward",
+            ),
+            "Turning": ("never_turning",),
+            "Finite": ("finite_or_endless",),
+        },
+    ),
+    "PrintedSign": ("PinnedPrintedSign", {"PrintedSignProof": ("printed_sign_theorem",)}),
+    "Spectrum": ("PinnedSpectrum", {"SpectrumProof": ()}),
+}  # fmt: skip
 
 #: In the files of scenes that collapse, where each changed number and each other order is refused.
 SCENE, CUT = "Scene_nearly_aligned", "Scene_cut"
@@ -391,6 +479,31 @@ def printed_set(name: str, directory: Path) -> bool:
     return bool(failed) == (name != "the-same")
 
 
+def stub(page: str, file: str, propositions: tuple[str, ...]) -> str:
+    """A file that proves from nothing what the page says."""
+    lines = [f"From Verify Require {page}."]
+    for name in propositions:
+        lines.append(f"Axioms lemma_{name} : {page}.{name}.")
+        lines.append(f"Definition {name}_holds := lemma_{name}.")
+    if file == "SpectrumProof":
+        for name, parts in (("matrix_proved", MATRIX), ("spectrum_proved", VALUES)):
+            lines.append(f"Axioms lemma_{name} : {conjunction(f'{page}.', parts)}.")
+            lines.append(f"Definition {name} := lemma_{name}.")
+    return "\n".join([*lines, ""])
+
+
+def other_page(name: str, directory: Path) -> bool:
+    """Whether a page sees another definition in its file, and is content with the same."""
+    way = OTHERS[name]
+    page, proofs = PAGES[way.file]
+    parts = {way.file: changed(way)}
+    parts |= {file: stub(way.file, file, names) for file, names in proofs.items()}
+    failed = first_that_fails(directory, parts | {page: (SOURCES / f"{page}.v").read_text()})
+    if failed not in ("", page):
+        raise ValueError(f"{failed} does not compile")
+    return bool(failed) != name.startswith("the-same")
+
+
 def unknown(output: str) -> list[str]:
     """What Coq says of assumptions that is not in the committed file."""
     known = {line.strip() for line in ASSUMED.read_text().splitlines()}
@@ -488,6 +601,7 @@ def ways() -> list[Way]:
     found: list[Way] = [(name, definition) for name in DEFINITIONS]
     found += [(name, spelled) for name in SPELLED]
     found += [(name, printed_set) for name in PRINTED]
+    found += [(name, other_page) for name in OTHERS]
     found += [(name, assumption) for name in ASSUMPTIONS]
     found += [(name, nothing) for name in NOTHING]
     found += [(name, another_scene) for name in SCENES]

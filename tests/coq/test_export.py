@@ -15,10 +15,12 @@ from tests.coq.closing import unread
 from tests.coq.everything import (
     COLLAPSING,
     DISPERSING,
+    FINITE,
     OWN_SCENES,
     POINTS,
     collapsing,
     dispersing,
+    finite,
     scene_file,
 )
 from tests.coq.readback import Exported, Interner, Written
@@ -121,18 +123,13 @@ def test_a_point_run_ends_in_a_theorem_on_three_balls(capsys: pytest.CaptureFixt
     assert text.endswith("Qed. Print Assumptions three_balls.")
 
 
-@pytest.mark.parametrize("folder", ["theorem1-all", "step", "flow", "scenes/on-a-line"])
+@pytest.mark.parametrize("folder", ["theorem1-all", "step", "flow"])
 def test_other_statements_have_no_such_theorem(
     folder: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["export", "coq", "--balls", str(ROOT / "certificates" / folder)]) == 2
     err = capsys.readouterr().err
-    reason = (
-        "no scene that disperses or collapses"
-        if folder.startswith("scenes")
-        else "does not apply the step"
-    )
-    assert reason in err
+    assert "does not apply the step" in err
     assert "Traceback" not in err
 
 
@@ -159,8 +156,45 @@ def scene_folder(name: str, made: Path) -> str:
     """The certificate of a scene: a committed one, or one that is made."""
     if scene_file(name).parent != OWN_SCENES:
         return str(ROOT / "certificates/scenes" / name)
-    assert main(["scene", str(scene_file(name)), "--out", str(made)]) == 0
+    followed = ["--collisions", "0"] * (name in FINITE)
+    assert main(["scene", str(scene_file(name)), *followed, "--out", str(made)]) == 0
     return str(made)
+
+
+@pytest.mark.parametrize(
+    ("name", "criterion"),
+    [*zip(FINITE, ("restitution", "momentum", "turning"), strict=True)],
+)
+def test_a_scene_with_finitely_many_collisions_ends_in_its_theorem(
+    name: str, criterion: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = scene_folder(name, tmp_path / "made")
+    capsys.readouterr()
+    assert main(["export", "coq", "--balls", folder]) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    assert f"finite_by_{criterion}" in text
+    said = text.partition("Theorem three_balls : ")[2].partition(". Proof.")[0]
+    assert said.startswith("FiniteScenes.finite_after ")
+    assert said.endswith(" the_scene_0 []")
+    places = finite(name).partition("Theorem1.Scene ")[2].partition(") (fun")[0]
+    assert f"Definition the_scene_0 : Theorem1.scene := Theorem1.Scene {places}" in text
+
+
+def test_a_criterion_that_holds_only_later_has_no_theorem(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scene = tmp_path / "later.toml"
+    scene.write_text(
+        "r = 0.05\npositions = [[0, 0], [1.2, 0.3], [-1.3, 0.2]]\n"
+        "velocities = [[1.0, -0.9], [-0.7, 0.5], [0.9, 0.4]]\n"
+    )
+    made = tmp_path / "made"
+    assert main(["scene", str(scene), "--collisions", "2", "--out", str(made)]) == 0
+    assert capsys.readouterr().out.startswith("finite: ")
+    assert main(["export", "coq", "--balls", str(made)]) == 2
+    out, err = capsys.readouterr()
+    assert not out
+    assert "only after some collisions" in err
 
 
 @pytest.mark.parametrize("name", DISPERSING)

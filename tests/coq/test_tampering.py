@@ -14,6 +14,7 @@ from tests.coq.decoding import PINNED, UNPROVED, VERDICTS
 from tests.coq.everything import (
     COLLAPSING,
     DISPERSING,
+    FINITE,
     OWN_SCENES,
     compiled,
     everything,
@@ -28,6 +29,7 @@ from tests.coq.tampering import (
     ASSUMPTIONS,
     DEFINITIONS,
     FALSE,
+    OTHERS,
     PRINTED,
     SENTENCES,
     SOURCES,
@@ -104,7 +106,7 @@ def test_in_a_proof_and_in_a_section_other_sentences_are_allowed() -> None:
     assert unexpected('Definition a := "x. Axiom y : False.')
 
 
-PLACES = [DEFINITIONS, SPELLED, PRINTED, PINNED, UNPROVED, VERDICTS]
+PLACES = [DEFINITIONS, SPELLED, PRINTED, OTHERS, PINNED, UNPROVED, VERDICTS]
 
 
 @pytest.mark.parametrize("way", [way for ways in PLACES for way in ways.values()])
@@ -153,7 +155,7 @@ def test_every_committed_certificate_is_asked_for() -> None:
     # What is compiled because it ends in a theorem on three balls, and no more, is asked for that.
     balls = {file.lower().removeprefix("scene_") for file in BALLS.values()}
     balls |= {compiled(path.stem) for path in OWN_SCENES.glob("*.toml")}
-    assert balls == {"point", "angle", *map(compiled, (*DISPERSING, *COLLAPSING))}
+    assert balls == {"point", "angle", *map(compiled, (*DISPERSING, *COLLAPSING, *FINITE))}
     assert balls <= names
     assert text.endswith("Print Assumptions everything.\n")
 

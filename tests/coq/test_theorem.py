@@ -9,8 +9,10 @@ import json
 import re
 from pathlib import Path
 
+from tests.coq import sentences
 from tests.coq.everything import SENTENCES, conjunction, discharging
-from verify.paper.in_coq import IN_COQ
+from verify.paper.commands import pages
+from verify.paper.in_coq import CITED_IN_COQ, IN_COQ, WHOLE_IN_COQ
 from verify.wire.coq.beside import beside
 from verify.wire.coq.export import export
 
@@ -189,7 +191,8 @@ def test_what_coq_proves_of_the_sentences_taken_on_trust_is_pinned() -> None:
     for name in discharging():
         file, _, theorem = name.partition(".")
         text = (SOURCES / f"{file}.v").read_text()
-        kinds = "Definition|Record" if file in ("Theorem1", "Separatrix") else "Theorem|Lemma"
+        defines = file in ("Theorem1", "Separatrix", "Spectrum")
+        kinds = "Definition|Record|Fixpoint" if defines else "Theorem|Lemma"
         assert len(re.findall(rf"^({kinds}) {theorem}\b", text, re.MULTILINE)) == 1, name
         assert pinned(name), name
     assert not pinned("Trajectory.cosine_is")
@@ -211,6 +214,43 @@ def test_the_sentences_in_coq_are_those_of_the_statements() -> None:
     assert all(len(sentences) == 1 for sentences in said.values())
     assert [*IN_COQ["step"]] == [item["name"] for item in by_theorem["step"]]
     assert [*IN_COQ["separatrix"]] == [item["name"] for item in by_theorem["separatrix"]]
+
+
+def test_a_sentence_and_what_coq_proves_are_pinned_together() -> None:
+    """Where one is changed: read both in `sentences.txt`, then `python -m tests.coq.sentences`."""
+    assert sentences.PINNED.read_text(encoding="utf-8") == sentences.pinned()
+    found = sentences.sentences()
+    assert sum(name.startswith("glue-") for _, name in found) >= 10
+    for theorem, name in found:
+        assert all(sentences.proved(one) for one in IN_COQ[theorem][name]), (theorem, name)
+
+
+def test_the_sentences_of_the_program_are_those_that_are_pinned() -> None:
+    """A sentence that is changed in the code, and not yet in a certificate, is seen, too."""
+    pinned = sentences.sentences()
+    for theorem in ("step", "sharper"):
+        for one in pages.statement(theorem).assumptions:
+            if one.name in IN_COQ[theorem]:
+                assert one.sentence == pinned[theorem, one.name], one.name
+
+
+def test_what_coq_proves_of_cited_theorems_and_as_a_whole_is_there() -> None:
+    statements = {
+        statement["theorem"]: statement
+        for path in ROOT.glob("certificates/*/statement.json")
+        for statement in [json.loads(path.read_bytes())]
+    }
+    for theorem, cited in CITED_IN_COQ.items():
+        assert {cite["theorem"] for cite in statements[theorem]["cites"]} == {*cited}
+    for theorem in WHOLE_IN_COQ:
+        needed = {
+            one["name"] for one in statements[theorem]["assumptions"] if one["kind"] != "definition"
+        }
+        assert needed <= {*IN_COQ[theorem]}
+        assert theorem in CITED_IN_COQ or not statements[theorem]["cites"]
+    assert [name for names in WHOLE_IN_COQ.values() for name in names] == [
+        "PinnedPrintedSign.printed_sign_proved"
+    ]
 
 
 def test_the_theorem_about_files_is_the_one_on_the_page() -> None:

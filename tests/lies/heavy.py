@@ -1016,3 +1016,37 @@ def enclosures_of_very_many_constants() -> Pair:
         pair.step(constant=f"p{i}", proof=DEFINE)
     pair.enclosures["constants"] = {f"p{i}": {"bits": 2, "ends": ["0", "0"]} for i in range(25_000)}
     return true(pair)
+
+
+@heavy
+def derivatives_in_a_context_with_many_givens() -> Pair:
+    """Each looks for bounds of its variable among all of them."""
+    givens = {f"g{i}": ["<", "0", "1"] for i in range(5_000)} | {"low": ["<=", "0", "x"]}
+    pair = true(Pair()).context("c", {"x": "1"}, givens, [INTERVAL] * 5_001)
+    proof = {
+        "rule": "derivative", "variable": "x", "side": "above", "strict": "start", "at": "0",
+        "term": "1", "start": INTERVAL, "order": "low", "sign": INTERVAL, "bounds": [INTERVAL],
+    }  # fmt: skip
+    return filled(pair, lambda i: lemma(i, ["<=", "0", "x"], proof, "c"), limit=600_000)
+
+
+@heavy
+def a_context_with_many_variables_and_givens() -> Pair:
+    """Each given is read at the point, which has a value for each variable."""
+    names = [f"v{i}" for i in range(22_000)]
+    givens = {f"g{i}": ["<", "0", "1"] for i in range(22_000)}
+    return true(Pair()).context("c", dict.fromkeys(names, "1"), givens, [64] * 22_000)
+
+
+@heavy
+def sentences_that_are_told_under_long_names() -> Files:
+    """A statement with very many of them is cited by one that is cited, and so on."""
+    found, pair = {}, true(Pair("T"))
+    empty = {"kind": "", "label": "", "sentence": ""}
+    pair.statement["assumptions"] = [{"name": f"a{i}"} | empty for i in range(60_000)]
+    for k in range(9):
+        first = found[f"cited/{k}.json"] = pair.files()[0]
+        item = {"name": "c" * 100, "theorem": pair.statement["theorem"]}
+        pair = true(Pair(f"T{k}"))
+        pair.statement["cites"] = [item | {"statement_sha256": sha256(first).hexdigest()}]
+    return found | folder(pair)

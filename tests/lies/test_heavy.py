@@ -17,7 +17,7 @@ from tests.lies.heavy import HEAVY
 from verify import check
 
 SECONDS = 10
-MEMORY = 500 << 20
+MEMORY = 300 << 20
 #: What is true, and small enough to be proved.
 TRUE = {
     "cosines-of-long-numbers-at-few-bits", "a-long-label", "many-contexts", "cuts-in-cuts",

@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from verify import check
-from verify.language.statement import Context
+from verify.language.statement import Context, Statement
 from verify.language.terms import Claim
 from verify.prover.outcome import Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, OpenStep
 from verify.prover.rules import Sum
+from verify.wire.text.infix import Names, read_claims
 from verify.wire.write import write
 
 
@@ -57,6 +58,19 @@ def changed(outcome: Outcome, name: str, claim: Claim) -> Outcome:
 
     contexts = tuple(map(other, outcome.statement.contexts))
     return outcome._replace(statement=outcome.statement._replace(contexts=contexts))
+
+
+def claim_of(statement: Statement, name: str, text: str) -> Claim:
+    """A claim in the letters of the context in which something of this name is given."""
+    (here,) = (context for context in statement.contexts if name in context.claims)
+    known = {v.name.removeprefix(f"{here.name}."): v.name for v in here.variables}
+    (claim,) = read_claims(name, text, Names(known))
+    return claim
+
+
+def standing(statement: Statement) -> list[str]:
+    """The names of what is given of every state, such as Cauchy-Schwarz."""
+    return [g.name for g in statement.context("state").givens if g.kind == "standing"]
 
 
 def accepted_lies(

@@ -6,13 +6,12 @@ import re
 from pathlib import Path
 
 from verify.language.statement import NEEDED, Obligation
-from verify.paper import theorem1
+from verify.paper import step_as_printed, theorem1
 from verify.paper.commands.classification import decide_classification
 from verify.paper.commands.elsewhere import decide_elsewhere
 from verify.paper.commands.everywhere import decide_everywhere
 from verify.paper.commands.spectrum import decide_spectrum
 from verify.paper.commands.step import decide_step
-from verify.paper.step import misprints
 from verify.prover.outcome import Outcome
 from verify.prover.uses import nodes
 
@@ -90,7 +89,7 @@ def constants() -> set[str]:
 
 def facts_elsewhere() -> set[str]:
     """The facts of the step and of other statements, and the rows that are refuted at states."""
-    wrong = {f"step-printed:{row.name}" for row in misprints.printed()}
+    wrong = {f"step-printed:{row.name}" for row in step_as_printed.printed()}
     found = wrong | {f"step:{name}" for name in nodes(decide_step())}
     for prefix, outcome in (
         ("elsewhere", decide_elsewhere()),
@@ -173,7 +172,7 @@ def test_every_label_of_the_theorem_is_in_the_table() -> None:
 
 def test_every_wrong_estimate_is_beside_its_formula() -> None:
     carrying = {name for cells in table() for name in names(cells[3])}
-    assert {f"step-printed:{row.name}" for row in misprints.printed()} <= carrying
+    assert {f"step-printed:{row.name}" for row in step_as_printed.printed()} <= carrying
 
 
 # --- to the theorem -------------------------------------------------------------------------------

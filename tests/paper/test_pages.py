@@ -3,31 +3,88 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from verify.cli import main
 from verify.language.statement import PROVED
-from verify.paper.commands.pages import decide
+from verify.paper.commands import pages
+from verify.prover.arguments import write_down
+from verify.wire.judge import judged
+from verify.wire.packaged import PAGES, became
+from verify.wire.text import Page
 from verify.wire.write import write
 
-#: The pages of arguments, with the folders of their certificates.
-PAGES = {
-    "classification": "classification",
-    "line": "line",
-    "sandwich_above": "outside",
-    "sandwich_below": "sandwich",
-    "sections_1_to_4": "elsewhere",
-    "separatrix": "separatrix",
-    "sharper": "sharper",
-    "step": "step",
-}
-CERTIFICATES = Path(__file__).parents[2] / "certificates"
+#: Commands that rest on pages, and need not read them.
+WORDS = (
+    "classification --r 3/100",
+    "elsewhere",
+    "separatrix --all",
+    "theorem1 --all",
+    "scene certificates/scenes/in-space.toml",
+)
+
+ROOT = Path(__file__).parents[2]
+NAMES = pages.names()
 
 
-@pytest.mark.parametrize("name", PAGES)
+def test_every_page_has_a_certificate() -> None:
+    assert sorted(PAGES) == NAMES
+
+
+@pytest.mark.parametrize("name", NAMES)
 def test_a_page_is_the_statement_of_its_certificate(name: str) -> None:
-    outcome = decide(name)
+    outcome = pages.decide(name)
     files = write(outcome)
     assert outcome.verdict == PROVED
     for file in ("statement.json", "certificate.json"):
-        assert files[file] == (CERTIFICATES / PAGES[name] / file).read_bytes()
+        assert files[file] == (ROOT / "certificates" / PAGES[name][0] / file).read_bytes()
+
+
+# --- without reading the page ---------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_came_with_the_program_is_what_the_page_says(name: str) -> None:
+    """If the digest is not that of the page: python -m tests.bring."""
+    assert became(name, pages.content(name)) == PAGES[name][0]
+    assert pages.statement(name) == pages.page(name).statement
+    assert pages.accepted(name) == pages.decide(name)
+    assert pages.cite(name).content == write(pages.decide(name))["statement.json"]
+
+
+@pytest.mark.parametrize("words", WORDS)
+def test_a_command_does_not_read_a_page(words: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    def never(name: str) -> Page:
+        raise AssertionError(f"{words} reads {name}")
+
+    for function in (pages.statement, pages.accepted, pages.cite, pages.decide):
+        function.cache_clear()
+    monkeypatch.setattr(pages, "page", never)
+    assert main(words.split()) == 0
+
+
+@pytest.mark.parametrize("function", [pages.statement, pages.accepted, pages.cite])
+def test_a_changed_page_is_read(function: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Anything else than the recorded text is a page of its own, and has the title that it says."""
+    text = pages.content("line")
+    for changed in (text.replace(b'title = """', b'title = """Lo: ', 1), text + b"\n"):
+        assert changed != text
+        monkeypatch.setattr(pages, "content", lambda name, changed=changed: changed)
+        pages.page.cache_clear()
+        pages.decide.cache_clear()
+        function.cache_clear()
+        assert became("line", changed) is None
+        found = str(function("line"))
+        assert ("Lo: " in found) == (b"Lo: " in changed)
+    monkeypatch.undo()
+    pages.page.cache_clear()
+    pages.decide.cache_clear()
+    function.cache_clear()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_page_is_proved_without_its_certificate(name: str) -> None:
+    """Where a line has names only, the sum is found, and the checker accepts it."""
+    assert judged(write_down(pages.argument(name))).verdict == PROVED

@@ -31,7 +31,7 @@ from verify.paper.commands.theorem1 import decide_point
 from verify.paper.parameters import GROUPS, REPAIRED
 from verify.paper.recursion import _angle_display
 from verify.paper.rows import INSTEAD, SEVERITIES, SLIP, graded, misprint, needed, printed
-from verify.paper.step.numbers import COLLAPSE
+from verify.paper.step import COLLAPSE
 from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Outcome
 

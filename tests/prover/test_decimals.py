@@ -14,10 +14,12 @@ from verify.prover.decimals import (
     decimal_exponent,
     decimal_text,
     exact_number,
+    near_decimal,
     outward,
     round_decimal,
+    rounded_inwards,
     short,
-    told_number,
+    told_apart,
 )
 
 settings.register_profile("deterministic", derandomize=True, deadline=None, max_examples=200)
@@ -91,15 +93,17 @@ def test_short_texts_show_only_common_digits(low: str, high: str, text: str) -> 
 def test_both_ends_enclose(a: Fraction, b: Fraction) -> None:
     low, high = min(a, b), max(a, b)
     if low < high:
-        left, right = map(_value, both_ends((low, high)).strip("[]").split(", "))
+        left, right = shown(both_ends((low, high)))
         assert left <= low < high <= right
 
 
-def _value(text: str) -> Fraction:
+def value_of(text: str) -> Fraction:
     """What a decimal stands for that people wrote."""
     digits, _, power = text.rpartition("·")
-    if not re.fullmatch("10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", power):
+    if not re.fullmatch("-?10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", power):
         return Fraction(text)
+    if not digits and text.startswith("-"):
+        digits, power = "-1", power[1:]
     return Fraction(digits or "1") * Fraction(10) ** int(power[2:].translate(_PLAIN))
 
 
@@ -110,9 +114,94 @@ def test_a_rational_exactly(value: str, text: str) -> None:
     assert exact_number(Fraction(value)) == text
 
 
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [("583/500", "1.166"), ("5/6", "5/6"), ("3/100", "0.03"), ("1000003/1000007", "0.999996…")],
+@given(fractions, st.integers(1, 40))
+def test_an_exact_number_is_the_number(value: Fraction, digits: int) -> None:
+    text = exact_number(value, digits)
+    assert (Fraction(text) if "/" in text else value_of(text)) == value
+
+
+#: Intervals that are narrow, and intervals that are wide.
+intervals = st.builds(
+    lambda a, b, n: (min(a, a + b / 10**n), max(a, a + b / 10**n)),
+    fractions,
+    fractions.filter(bool),
+    st.integers(0, 60),
 )
-def test_a_rational_as_people_write_it(value: str, text: str) -> None:
-    assert told_number(Fraction(value)) == text
+
+
+@given(intervals, st.integers(1, 12))
+def test_what_is_rounded_inwards_is_never_empty_and_says_something(
+    ends: tuple[Fraction, Fraction], digits: int
+) -> None:
+    low, high = map(value_of, rounded_inwards(ends, digits))
+    assert ends[0] <= low < high <= ends[1]
+    assert high - low >= (ends[1] - ends[0]) * Fraction(9, 10)
+
+
+def test_no_more_digits_inwards_than_it_takes() -> None:
+    third = Fraction(1, 3 * 10**6)
+    assert rounded_inwards((1 + third, 1 + 2 * third), 6) == ["1.00000034", "1.00000066"]
+    assert rounded_inwards((Fraction("1.083"), Fraction("1.166")), 6) == ["1.083", "1.166"]
+
+
+def shown(text: str) -> tuple[Fraction, Fraction]:
+    """Between which numbers one lies that is shown so."""
+    if text.startswith("["):
+        low, high = map(value_of, text.strip("[]").split(", "))
+        return low, high
+    if "±" in text:
+        middle, most = map(value_of, text.split(" ± "))
+        return middle - most, middle + most
+    value = value_of(text.replace("…", ""))
+    if "…" not in text:
+        return value, value
+    digits = text.partition("…")[0]
+    power = value / Fraction(digits) if value else Fraction(1)
+    unit = power / 10 ** len(digits.partition(".")[2])
+    return (value, value + unit) if value >= 0 else (value - unit, value)
+
+
+#: Enclosures as narrow as those that the program makes, of numbers that may be next to each other.
+narrow = st.builds(
+    lambda a, b, n, w: tuple(sorted(a * (1 + Fraction(b, 10**n)) * (1 + e) for e in (-w, w))),
+    st.sampled_from([Fraction(1), Fraction(-1, 3), Fraction(8, 13), Fraction(99999, 100)]),
+    st.integers(-9, 9),
+    st.integers(1, 20),
+    st.sampled_from([Fraction(0), Fraction(1, 10**27)]),
+).filter(lambda ends: ends[0] * ends[1] > 0)
+
+
+@given(narrow, narrow, st.integers(3, 8))
+def test_two_numbers_are_told_apart_where_they_differ(
+    a: tuple[Fraction, Fraction], b: tuple[Fraction, Fraction], digits: int
+) -> None:
+    both = [shown(text) for text in told_apart(a, b, digits)]
+    for (low, high), ends in zip(both, (a, b), strict=True):
+        assert low <= ends[0] <= ends[1] <= high
+    if a[1] < b[0]:
+        assert both[0][1] <= both[1][0]
+    elif b[1] < a[0]:
+        assert both[1][1] <= both[0][0]
+
+
+def test_digits_are_added_until_a_difference_is_seen() -> None:
+    one, more = Fraction(1), 1 + Fraction(1, 10**11)
+    assert told_apart((one, one), (more, more)) == ("1", "1.00000000001")
+    c, bound = Fraction(8, 13), Fraction(8, 13) + Fraction(1, 10**15)
+    assert told_apart((c, c), (bound, bound)) == ("0.615384615384615…", "0.615384615384616…")
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "near", "text"),
+    [
+        ("0.0999999999999999999999999999", "0.1000000000000000000000000001", "0.1", "0.1 ± 10⁻²⁸"),
+        ("-2.5000000000000000000000000001", "-2.5", "-2.5", "-2.5000000…"),
+        ("0.09999", "0.10001", None, "[0.09999, 0.10001]"),
+        ("0.1", "0.1", None, "0.1"),
+        ("-1e-30", "1e-30", None, "[-10⁻³⁰, 10⁻³⁰]"),
+    ],
+)
+def test_a_short_decimal_is_no_interval(low: str, high: str, near: str | None, text: str) -> None:
+    ends = Fraction(low), Fraction(high)
+    assert near_decimal(ends) == (None if near is None else Fraction(near))
+    assert short(ends) == text

@@ -120,5 +120,5 @@ def test_the_range_of_a_function_is_a_fact_before_it_is_used() -> None:
         "product": exp(x) * exp(-x) <= 1 + Fraction(1, 10**20),
     }
     rows = [ask(name, claim, place) for name, claim in claims.items()]
-    found = prove(lemma("title", rows, contexts=[place]), work=1_000_000)
+    found = prove(lemma("title", rows, contexts=[place]), work=1_500_000)
     assert {found.decisions[name].verdict for name in claims} == {PROVED}

@@ -234,6 +234,11 @@ def points(
             yield values
 
 
+def _named(place: Values, context: str) -> Values:
+    """The values, also under the names of a context that shows that givens are defined."""
+    return place | {f"{context}.{name}": value for name, value in place.items()}
+
+
 def wrong(seed: int, kind: type[Statements] = Statements) -> tuple[str, Outcome]:
     """What is wrong with the outcome of a random statement, or nothing."""
     statement, constants, ends = random_statement(seed, kind)
@@ -242,7 +247,7 @@ def wrong(seed: int, kind: type[Statements] = Statements) -> tuple[str, Outcome]
     for row, found in outcome.rows:
         if "search failed" in found.reason:
             return f"{row.name}: {found.reason}", outcome
-        here = places if row.context else [constants]
+        here = [_named(place, row.context) for place in places] if row.context else [constants]
         if found.verdict == PROVED and any(truth(row.claim, p) is False for p in here):
             return f"{row.name} is proved, and false", outcome
         if found.verdict == REFUTED and found.method != "witness":

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import json
+import re
+from collections.abc import Iterator
+from typing import Any
+
 import pytest
 
-from docs.generated import RUNS, believed_and_proved
+from docs.generated import JUDGES, ROOT, RUNS, believed, believed_and_proved, sharper_givens
 from verify.cli import main
+from verify.paper.commands import pages
 
 
 def line(capsys: pytest.CaptureFixture[str], *words: str) -> str:
@@ -30,8 +36,38 @@ def test_coq_has_proved_all_but_the_definition_of_the_step(
 def test_what_coq_has_not_proved_is_believed(capsys: pytest.CaptureFixture[str]) -> None:
     found = line(capsys, "classification")
     assert found.startswith("Rests on 14 sentences. Believed: ")
-    assert found.endswith("glue-second. Proved in Coq: none.")
-    assert "glue-impulse" in found
+    believed, _, proved = found.partition(" Proved in Coq: ")
+    assert proved == "cauchy-schwarz, finite-length, glue-classification."
+    assert believed.endswith("glue-second.")
+    assert "glue-impulse" in believed
+
+
+def test_what_coq_proves_of_a_cited_theorem_needs_none_of_its_sentences(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    found = line(capsys, "spectrum")
+    believed, _, proved = found.partition(" Proved in Coq: ")
+    assert believed == (
+        "Rests on 14 sentences. Believed: collision-law (definition), linear-model (definition), "
+        "hard-spheres (definition), alternating-run (definition)."
+    )
+    assert proved.endswith("no-triangular-collapse, what is used of classification.")
+    # One word in both: the five sentences that are mere glue are theorems in Coq.
+    assert main(["spectrum"]) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    assert main(["spectrum", "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert "Verdict: proved: Spectral claims" in text
+    assert document["headline"] == document["verdict"] == "proved"
+
+
+def test_the_first_screen_says_that_coq_refutes_the_printed_sign(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    for words in (["--r", "0.03"], ["--all"]):
+        main(["theorem1", *words])
+        first = " ".join(capsys.readouterr().out.split()).partition("Its set as printed")[0]
+        assert first.endswith("with < in (4.10): refuted (Coq), certificates/printed-sign ")
 
 
 def test_the_table_of_the_pages_says_the_same() -> None:
@@ -43,6 +79,78 @@ def test_the_table_of_the_pages_says_the_same() -> None:
     assert table["theorem1 --r R"] == table["theorem1 --all"]
     assert table["separatrix --all"][2] == "limit-map (definition), unending (definition)"
     assert table["map"][0] == "the theorems, not the log"
-    assert table["classification"][1] == "–"
+    assert table["classification"][1] == "cauchy-schwarz, finite-length, glue-classification"
+    assert table["the printed sign, which makes the theorem false"][1:] == [
+        "glue-as-printed", "hard-spheres (definition), alternating-run (definition)",
+    ]  # fmt: skip
+    assert not re.search("glue|spiral", table["spectrum"][2])
     assert "glue-second" in table["scene: finite"][2]
     assert "scene-collapses" in table["scene: collapses"][2]
+
+
+#: Commands of each kind that is told of in README.md.
+SHOWN = {
+    "`verify theorem1 --r R`, `verify scene`": (
+        "theorem1 --r 0.03",
+        "scene {scenes}/in-space.toml",
+    ),
+    "either with `--out`, and all commands that are not named here": (
+        "scene {scenes}/in-space.toml --out {out}/scene",
+        "theorem1 --all",
+        "theorem1 --r 0.02..0.03",
+        "spectrum",
+        "classification",
+        "elsewhere",
+        "separatrix --all",
+        "prove {examples}/mean/statement.json",
+    ),
+    "`verify map`": ("map phi --r 0.03 --undecided 20%",),
+    "`verify separatrix` without `--all` and `--out`": ("separatrix --r 0.03 --at 1/10",),
+}
+
+
+def judges(document: Any) -> Iterator[str]:
+    """Who judged what a document says."""
+    inner: Any = ()
+    if isinstance(document, dict):
+        yield from (document[key] for key in ("judged_by", "judge") if document.get(key))
+        inner = document.values()
+    elif isinstance(document, list):
+        inner = document
+    for part in inner:
+        yield from judges(part)
+
+
+@pytest.mark.parametrize("run", JUDGES)
+def test_who_judges_what_one_runs(
+    run: str, tmp_path: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    places = {"scenes": ROOT / "certificates/scenes", "examples": ROOT / "certificates/examples"}
+    for words in SHOWN[run]:
+        assert main([*words.format(**places, out=tmp_path).split(), "--json"]) == 0
+        found = {judge.partition(",")[0] for judge in judges(json.loads(capsys.readouterr().out))}
+        others = {judge for one, judge in JUDGES.items() if one != run}
+        assert JUDGES[run] in found, words
+        assert not found & others, words
+
+
+def test_a_point_with_a_certificate_is_judged_by_the_checker(
+    tmp_path: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = str(tmp_path / "point")
+    assert main(["theorem1", "--r", "0.03", "--out", out]) == 0
+    assert main(["check", out]) == 0
+    assert "proved" in capsys.readouterr().out
+
+
+def test_the_readme_has_the_table() -> None:
+    assert SHOWN.keys() == JUDGES.keys()
+    assert f"\n\n{believed()}\n\n" in (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def test_all_that_the_sharper_theorem_asks_is_on_its_page() -> None:
+    givens = pages.statement("sharper").context("start").claims
+
+    lines = sharper_givens().split("\n")[2:]
+    assert [line.split("`")[1] for line in lines] == [*givens]
+    assert "| `speed-start` | η₀ ≤ V₀ |" in lines

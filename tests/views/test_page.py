@@ -201,7 +201,7 @@ def test_the_first_screen_has_the_result(made: Path) -> None:
     for words in (
         *("The theorem, repaired", "The theorem holds with repaired constants", "does not close"),
         *("As printed, the theorem is false", "Its set is right"),
-        *("conditionally proved", "python3 -I verify/check.py"),
+        *("more than put together", "python3 -I verify/check.py"),
         *("Why set-interior: ", "Why zeta-x-bound and 3 more: "),
     ):
         assert words in first

@@ -16,9 +16,9 @@ from verify.language.statement import ACCUSATIONS, REFUTED, UNDECIDED
 from verify.language.terms import Claim, as_term
 from verify.paper.commands import curves
 from verify.paper.commands.everywhere import decide_everywhere, decide_printed_everywhere
+from verify.paper.commands.pages import accepted
 from verify.paper.commands.report import plotted
-from verify.paper.commands.thresholds import bands, certified, decide_thresholds
-from verify.paper.everywhere.thresholds import STRIPS
+from verify.paper.commands.thresholds import STRIPS, bands, certified
 from verify.paper.hypotheses import hypotheses
 from verify.paper.parameters import PRINTED, REPAIRED
 from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
@@ -45,7 +45,7 @@ def test_cells_of_the_picture_lie_where_they_say() -> None:
     program = Program(("r", "c"))
     sides = program.add(stable.lhs), program.add(stable.rhs)
     run, seen = Machine(program, ExactArithmetic()), set()
-    for low, high, refuted in bands(decide_thresholds()):
+    for low, high, refuted in bands(accepted("thresholds")):
         inside = region.cells(curves.WIDTH, low, high)
         for (left, right), (bottom, top) in list(inside)[::7]:
             for k in range(1, 8):
@@ -69,11 +69,11 @@ def test_captions_count_what_is_drawn() -> None:
     always = [found for found in refuted if not found.witness]
     assert f"Left: {len(always)} printed rows" in figure.caption
     assert len(figure.rows) == 1 + len(refuted) - len(always)
-    assert len(certified(decide_thresholds())) == len(STRIPS)
+    assert len(certified(accepted("thresholds"))) == len(STRIPS)
 
 
 def test_a_strip_that_is_not_proved_is_not_drawn() -> None:
-    outcome = decide_thresholds()
+    outcome = accepted("thresholds")
     lost = {**outcome.decisions, "angle-absorbed.fails": Decision(UNDECIDED)}
     found = bands(outcome._replace(decisions=lost))
     assert [refuted for *_, refuted in found] == [1, 0, None, None]

@@ -59,8 +59,6 @@ def test_another_statement_is_not_known() -> None:
     [
         ("spectrum", "verify.paper.commands.spectrum.decide_spectrum"),
         ("theorem1 --all", "verify.paper.commands.everywhere.decide_everywhere"),
-        ("theorem1 --all", "verify.paper.commands.printed_set.decide_printed_set"),
-        ("theorem1 --all", "verify.paper.commands.printed_set.decide_printed_sign"),
     ],
 )
 def test_a_command_does_not_prove_again_what_comes_with_it(

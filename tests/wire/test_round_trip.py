@@ -62,7 +62,7 @@ def test_reading_is_the_inverse_of_writing(name: str) -> None:
 def test_views_say_the_same_of_what_is_read_back(name: str) -> None:
     one, two = fresh(name), again(name)
     views = [lambda o: markdown.report(o, PAPER), *(
-        (spectral.spectrum_document, lambda o: [*row_lists.all_rows(o, PAPER)],
+        (lambda o: spectral.spectrum_document(o), lambda o: [*row_lists.all_rows(o, PAPER)],
          lambda o: spectral.verdict_line(o, PAPER))
         if name == "spectrum"
         else (document.document, lambda o: [*table.report_lines(o, PAPER)])
@@ -75,7 +75,10 @@ def test_views_say_the_same_of_what_is_read_back(name: str) -> None:
 def test_views_agree_on_the_verdict(name: str) -> None:
     outcome = fresh(name)
     if name == "spectrum":
-        found, last = spectral.spectrum_document(outcome), spectral.verdict_line(outcome, PAPER)
+        found, last = (
+            spectral.spectrum_document(outcome),
+            spectral.verdict_line(outcome, PAPER),
+        )
     else:
         found, last = document.document(outcome), [*table.report_lines(outcome, PAPER)][-1]
     assert last.startswith(f"Verdict: {found['headline']}: ")

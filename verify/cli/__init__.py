@@ -14,6 +14,7 @@ from verify import __version__
 from verify.cli.options import Parser, beside
 from verify.cli.terminal import width
 from verify.language.errors import OwnError
+from verify.language.interrupts import held
 from verify.wire.inputs import InputError, shown
 
 #: The commands in the order a newcomer needs them.
@@ -105,7 +106,8 @@ def _dispatch(words: list[str]) -> int:
                 f"{shown(name)} is not a command; write one before it: {before} {name}"
             )
         raise InputError(f"{shown(name)} is not a command; write one of: {known}")
-    command = import_module(f"verify.cli.{name}")
+    with held():
+        command = import_module(f"verify.cli.{name}")
     parser = Parser(f"verify {name}", command.__doc__ or "", command.USAGE)
     options = parser.read(words[1:])
     if options is None:
@@ -141,7 +143,7 @@ _EXIT_CODES = {
     USAGE_ERROR: "the input cannot be used",
     3: "undecided within the precision or work budget",
     4: "a malformed certificate, one that is not its statement's, or a foreign theorem",
-    OWN_ERROR: "our own error: the checker does not accept what the program takes for proved",
+    OWN_ERROR: "our own error: a proof that the checker does not accept, or too little memory",
     INTERRUPTED: "interrupted",
     PIPE_CLOSED: "the reader of the output has left",
 }

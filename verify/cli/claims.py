@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
@@ -28,9 +29,10 @@ def answer(
     it does not have them.
 
     Raises:
-        InputError: if there is no row of this name, or a file cannot be written.
+        InputError: if there is no row of this name, or a file cannot be written; after the verdict
+            is printed, if the checker would not read to the end of its certificate.
     """
-    from verify.cli.files import print_document, write_certificate  # loaded only where used
+    from verify.cli.files import UncheckableError, print_document, write_certificate  # when used
 
     found: Mapping[str, Any] = {}
     text: list[str] = []
@@ -38,12 +40,19 @@ def answer(
         text = told(outcome, options, screen(), has_rows=has_rows)
     else:
         found = document() if options.rows is None else only(outcome, options.rows, document())
-    if options.out is not None:
-        write_certificate("--out", options.out, outcome)
+    missing: UncheckableError | None = None
+    try:
+        if options.out is not None:
+            write_certificate("--out", options.out, outcome)
+    except UncheckableError as error:  # the verdict is known all the same
+        missing = error
     if options.json:
         print_document(found)
     else:
         show(text, options)
+    if missing is not None:
+        sys.stdout.flush()
+        raise missing
 
 
 def only(outcome: Outcome, name: str, document: Mapping[str, Any]) -> dict[str, Any]:

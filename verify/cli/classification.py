@@ -5,8 +5,9 @@ from __future__ import annotations
 from verify.cli import claims
 from verify.cli.files import test_folder
 from verify.cli.options import Options, Usage
-from verify.paper.classification.meaning import MEANING
-from verify.paper.commands.classification import at_restitution, decide_classification, verdict_at
+from verify.paper.commands.classification import at_restitution, verdict_at
+from verify.paper.commands.pages import accepted
+from verify.paper.meaning import MEANING
 from verify.paper.source import PAPER
 from verify.prover.outcome import EXIT_CODES
 from verify.views.classification import (
@@ -28,7 +29,7 @@ def run(options: Options) -> int:
     """Print the theorems or the document, write the files, return the exit code."""
     r = None if options.r is None else restitution(options.r)
     test_folder("--out", options.out, "statement.json", "certificate.json")
-    outcome = decide_classification()
+    outcome = accepted("classification")
     found = None if r is None else at_restitution(r)
     verdict = verdict_at(outcome, found)
     document, text = classification_document(outcome), []

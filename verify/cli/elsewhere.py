@@ -5,7 +5,7 @@ from __future__ import annotations
 from verify.cli import claims
 from verify.cli.files import test_folder
 from verify.cli.options import Options, Usage
-from verify.paper.commands.elsewhere import decide_elsewhere
+from verify.paper.commands.pages import accepted
 from verify.paper.source import PAPER
 
 FORMAT = "verify-elsewhere/1"
@@ -22,7 +22,7 @@ def run(options: Options) -> int:
     from verify.views.words import summary
 
     test_folder("--out", options.out, "statement.json", "certificate.json")
-    outcome = decide_elsewhere()
+    outcome = accepted("sections_1_to_4")
     claims.answer(
         outcome,
         options,

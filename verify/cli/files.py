@@ -272,7 +272,8 @@ class UncheckableError(InputError):
     """There can be no certificate that the checker reads; ``why`` says it without the option."""
 
     def __init__(self, option: str, why: str) -> None:
-        super().__init__(f"{option}: {why}; write parameters with fewer digits")
+        what = f"{why}, so none was written; write parameters with fewer digits"
+        super().__init__(f"{option}: {what}")
         self.why = why
 
 

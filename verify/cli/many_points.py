@@ -44,8 +44,12 @@ def _everywhere(options: Options) -> int:
     others = ("r", "neg_cos", "V0", "delta_theta", "steps", "csv", "jobs")
     leave_out(options, (*POINT_OPTIONS, *others), "leave it out with --all", DEFAULTS)
     test_folder("--out", options.out, "statement.json", "certificate.json")
-    from verify.paper.commands import everywhere, thresholds  # loaded only where they are used
-    from verify.paper.commands.printed_set import verdicts_as_printed
+    from verify.paper.commands import (  # loaded only where they are used
+        everywhere,
+        pages,
+        thresholds,
+    )
+    from verify.paper.commands.citing import verdicts_as_printed
     from verify.views import everywhere as view
     from verify.views.document import claims_document
 
@@ -64,7 +68,7 @@ def _everywhere(options: Options) -> int:
 
     def screen() -> Iterable[str]:
         if printed:
-            where = thresholds.decide_thresholds()
+            where = pages.accepted("thresholds")
             shares = thresholds.all_shares(where)
             return view.printed_screen(outcome, where, shares, PAPER, verdicts)
         from verify.paper.commands.whole import whole

@@ -20,7 +20,7 @@ from verify.prover.budget import WORK, WorkBudget
 from verify.prover.outcome import Outcome
 from verify.views.prove import decided_document, decided_lines
 from verify.wire.inputs import InputError, TooDeepError, integer, nearest, rational, shown
-from verify.wire.questions import all_cites, decide, read_page_of
+from verify.wire.questions import all_cites, decide_page, read_page_of
 
 #: The exit code of what was interrupted, as of any command.
 INTERRUPTED = 130
@@ -47,12 +47,13 @@ def run(options: Options) -> int:
     test_folder("--out", options.out, "statement.json", "certificate.json", "report.md")
     page = read_page_of(options.STATEMENT, content, cited)
     statement = _chosen(page.statement, options.rows)
+    page = page._replace(statement=statement)
     if options.rows is not None and options.out is not None:
         _keep_more(options.out, statement)
     steps = Steps(len(statement.obligations))
     budget = WorkBudget(work, _seconds(options.time), steps, catches=True)
     try:
-        outcome = decide(statement, budget, page.hints)
+        outcome = decide_page(page, budget)
     except TooDeepError as error:
         if options.STATEMENT.endswith(".json"):
             raise

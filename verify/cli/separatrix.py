@@ -77,11 +77,11 @@ def run(options: Options) -> int:
 def _theorem(options: Options) -> int:
     """The theorem for all parameters."""
     leave_out(options, WITH_R, "leave it out with --all")
-    from verify.paper.commands.separatrix import decide_separatrix as decide  # loads the rows
+    from verify.paper.commands.pages import accepted  # loaded only where they are used
     from verify.paper.source import PAPER
 
     test_folder("--out", options.out, "statement.json", "certificate.json")
-    outcome = decide()
+    outcome = accepted("separatrix")
     document, text = theorem_document, theorem_screen
     claims.answer(outcome, options, lambda: document(outcome), lambda: text(outcome, PAPER))
     return outcome.exit_code

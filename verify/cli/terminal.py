@@ -24,7 +24,6 @@ _YES, _NO, _OPEN = ("✓", "32"), ("✗", "31"), ("?", "33")
 _STYLES = {
     **dict.fromkeys(("proved", "PROVED", "collapses", "disperses", "finite"), _YES),
     **dict.fromkeys(("refuted", "REFUTED", "REFUSED", "MALFORMED"), _NO),
-    "conditionally proved": ("✓", "33"),
     "undecided": _OPEN,
 }
 _WORDS = "|".join(_STYLES)

@@ -8,7 +8,9 @@ From Coq Require Import Reals List.
 Import ListNotations.
 From Verify Require Vectors Sequences Ending Steady OneStep Trajectory OneScene Interior InTurn Gram.
 From Verify Require Meaning Step Collapse FromNumbers Runs Sharper AnyStep SharperStep SharperCollapse.
-From Verify Require PrintedSet PrintedProof.
+From Verify Require PrintedSet PrintedProof Classification Contacts Settling Endless Turning.
+From Verify Require ClassificationProof PrintedSign PrintedSignProof.
+From Verify Require Spectrum SpectrumMatrix SpectrumRoots SpectrumEigen SpectrumOrbits SpectrumSentences.
 Open Scope R_scope.
 Definition B1 : ball := Theorem1.B1.
 
@@ -234,3 +236,80 @@ Check (SharperCollapse.angle_stays : forall v, sharper_start v -> forall d x,
 Check (SharperCollapse.sharper_collapse : forall v, sharper_start v -> forall d x,
   sharper_begins v d x -> collapse d (v Sharper.number_of_r) x (sharper_latest v)
     (v Sharper.number_of_C_0) (v Sharper.number_of_Theta)).
+
+(* --- which collapses there are, and the sign as printed ------------------------------------------- *)
+
+(* The propositions are spelled out in PinnedClassification.v and PinnedPrintedSign.v. *)
+Check (ClassificationProof.no_triangle_holds : Classification.no_triangle).
+Check (ClassificationProof.least_angle_holds : Classification.least_angle).
+Check (PrintedSignProof.printed_sign_theorem_holds : PrintedSign.printed_sign_theorem).
+(* cauchy-schwarz for planes, and for three balls: the inner product of two planes is a sum over pairs of
+   coordinates; the moment of inertia times the energy bounds the squares of A and of L. *)
+Check (fun d x v y w => eq_refl : Turning.wedge d x v y w = dot d x y * dot d v w - dot d x w * dot d v y).
+Check (Turning.wedge_by_coordinates : forall d x v y w,
+  dot d (fun k => dot d (fun l => x k * v l - x l * v k) (fun l => y k * w l - y l * w k)) (fun _ => 1) =
+  2 * Turning.wedge d x v y w).
+Check (Turning.spin_bounded : forall d s,
+  Classification.growth d s * Classification.growth d s + Classification.spin2 d s <=
+  Classification.size d s * (dot d (relative s B0 B1) (relative s B0 B1) +
+    dot d (relative s B0 B2) (relative s B0 B2) + dot d (relative s B1 B2) (relative s B1 B2))).
+(* finite-length: the places of three balls of any masses that collapse; and of equal ones whose
+   collisions do not accumulate. *)
+Check (Settling.settles_in_time : forall d mass radius scenes time i j T, (forall b, 0 < mass b) ->
+  Classification.strikes d mass radius scenes time i j -> Un_cv time T ->
+  exists z, Classification.settles d scenes z).
+Check (Endless.settles_late : forall d r first scenes time i j, 0 < r < 1 ->
+  Classification.endless d r first scenes time i j -> ~ (exists T, Un_cv time T) ->
+  exists z, Classification.settles d scenes z).
+
+(* --- the spectrum ----------------------------------------------------------------------------------- *)
+
+(* The propositions, and the matrix, are spelled out in PinnedSpectrum.v. *)
+Check (fun d r s => eq_refl : Spectrum.triple d r s =
+  collided d r B1 B2 (collided d r B0 B2 (collided d r B0 B1 s))).
+Check (fun r u => eq_refl : Spectrum.orbit r u 0 = u).
+Check (fun r u n => eq_refl : Spectrum.orbit r u (S n) = Spectrum.image r (Spectrum.orbit r u n)).
+Check (SpectrumMatrix.basis_holds : Spectrum.basis_theorem).
+Check (SpectrumMatrix.matrix : Spectrum.matrix_theorem).
+Check (SpectrumRoots.characteristic : Spectrum.characteristic_theorem).
+Check (SpectrumEigen.spectrum : Spectrum.spectrum_theorem).
+Check (SpectrumOrbits.parameter : Spectrum.parameter_theorem).
+Check (SpectrumOrbits.orbits : Spectrum.orbit_theorem).
+Check (SpectrumSentences.signs : (forall x y, 0 < x -> 0 < y -> 0 < x + y /\ 0 < x * y) /\
+  (forall x, 0 <= x * x) /\
+  (forall a b x y, 0 < a -> 0 <= b -> x < 0 -> y < 0 -> a * x + b * y < 0) /\
+  (forall x y, 0 < x -> 0 < y -> (x < y <-> x * x < y * y))).
+Check (SpectrumRoots.roots : forall r, 0 < r < 1 -> exists l0 p m,
+  -1 < - r < l0 /\ l0 < - r ^ 3 < 0 /\ Spectrum.Q r l0 = 0 /\ (forall l, Spectrum.Q r l = 0 -> l = l0) /\
+  (forall l, Spectrum.Q r l = (l - l0) * (l * l + p * l + m)) /\ p * p < 4 * m /\ l0 * l0 < m < 1).
+Check (SpectrumRoots.increasing : forall r, 0 < r < 1 -> forall x y, x < y ->
+  Spectrum.Q r x < Spectrum.Q r y).
+(* spiral: the form that vanishes on the plane of the pair, by the normal components. *)
+Check (fun m u => eq_refl : SpectrumSentences.form_of_root m u =
+  let r := Spectrum.r_of m in let h := (1 + r) / 4 in
+  let c_0 := Spectrum.c_1 u in let c_1 := Spectrum.c_3 u - h * c_0 in
+  r / m * c_0 + (h - m) * c_1 +
+    ((c_0 + Spectrum.c_3 u) / 2 + sqrt 3 / 2 * (Spectrum.c_4 u - Spectrum.c_2 u) - h * c_0 - h * c_1)).
+Check (SpectrumSentences.left_eigenvector : forall m u, 0 < m < 1 ->
+  SpectrumSentences.form_of_root m (Spectrum.image (Spectrum.r_of m) u) =
+  - m ^ 3 * SpectrumSentences.form_of_root m u).
+Check (SpectrumSentences.plane_of_the_pair : forall m mu nu u v, 0 < m < 1 -> nu <> 0 ->
+  Spectrum.eigenvector (Spectrum.r_of m) mu nu u v ->
+  SpectrumSentences.form_of_root m u = 0 /\ SpectrumSentences.form_of_root m v = 0).
+Check (fun p u => eq_refl : SpectrumSentences.apply_form p u =
+  Spectrum.c_1 p * Spectrum.c_1 u + Spectrum.c_2 p * Spectrum.c_2 u +
+  Spectrum.c_3 p * Spectrum.c_3 u + Spectrum.c_4 p * Spectrum.c_4 u).
+Check (SpectrumSentences.transverse : forall p q,
+  (forall k, q <> Spectrum.combination k p 0 Spectrum.zero) ->
+  exists u, SpectrumSentences.apply_form p u = 0 /\ SpectrumSentences.apply_form q u <> 0).
+(* spectral-radius *)
+Check (SpectrumSentences.rates : forall t s (u : nat -> R),
+  (forall n, u (S (S n)) = t * u (S n) - s * u n) ->
+  (t * t < 4 * s -> forall n,
+    let size n := u (S n) * u (S n) - t * u n * u (S n) + s * (u n * u n) in
+    size n = s ^ n * size 0%nat /\ (s - t * t / 4) * (u n * u n) <= size n) /\
+  (forall d, 0 < d -> d * d = t * t - 4 * s -> exists a b, forall n,
+    u n = a * ((t + d) / 2) ^ n + b * ((t - d) / 2) ^ n)).
+Check (SpectrumSentences.no_rate_when_forced : forall s, 0 < s < 1 -> exists v f : nat -> R,
+  (forall n, v (S n) = s * v n + f n) /\ (forall n, sum_f_R0 (fun k => Rabs (f k)) n <= 2) /\
+  forall q K, 0 < q < 1 -> exists n, K * q ^ n < v n).

@@ -63,6 +63,12 @@ class BySum(Record):
     equations: tuple[tuple[str, Term], ...] = ()
 
 
+class ByNames(Record):
+    """The sum of products of these facts, and squares, that has to be found."""
+
+    facts: tuple[Value, ...]
+
+
 class ByRoot(Record):
     """The root of a positive number is positive."""
 
@@ -80,6 +86,17 @@ class ByLeast(Record):
     branches: tuple[BySum, ...]
     equation: str | None = None
     side: str = "rhs"
+
+
+class ByCases(Record):
+    """A minimum or maximum is one of its entries: a sum for each.
+
+    In the sum for an entry ``@1`` is the equation that it is the entry, ``@2`` and on say that the
+    entry is the least, or greatest.
+    """
+
+    of: Term
+    branches: tuple[BySum, ...]
 
 
 class ByInterval(Record):
@@ -113,6 +130,12 @@ class ByWitness(Record):
     at: Mapping[str, Term]
 
 
+class ByNegation(Record):
+    """The claim is false for all values: why its negation holds."""
+
+    reason: Reason
+
+
 class ToBeFound(Record):
     """A sum that the prover has to find."""
 
@@ -120,14 +143,17 @@ class ToBeFound(Record):
 Reason = (
     ToBeFound
     | BySum
+    | ByNames
     | ByRoot
     | ByEntry
     | ByLeast
+    | ByCases
     | ByInterval
     | ByInstance
     | ByApplying
     | ByInduction
     | ByWitness
+    | ByNegation
 )
 
 

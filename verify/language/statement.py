@@ -26,6 +26,8 @@ BREAKS = "breaks the argument"
 HARMLESS = "false, but harmless here"
 #: The sentence is false as it is written, and what it plainly means is a row of its own.
 SLIP = "slip of wording"
+#: What is said besides of a slip that, taken literally, makes the theorem false.
+FATAL = "fatal to the theorem as printed"
 #: How bad it is that a printed row is false, the worst first.
 ACCUSATIONS = (BREAKS, HARMLESS, SLIP)
 #: The sentence is true by the row that takes its place; the claim is what the text derives it from.
@@ -108,6 +110,11 @@ class Context(Record):
     says: str = ""
     constants: tuple[Constant, ...] = ()
 
+    @property
+    def claims(self) -> dict[str, Claim]:
+        """What is given, by its names."""
+        return {given.name: given.claim for given in self.givens}
+
 
 class Applies(Record):
     """The claim that these values satisfy all givens of a context, so that its theorems hold."""
@@ -186,7 +193,10 @@ class Publication(Record):
     ``theorem`` is the label of its main theorem, ``printed`` gives what stands in print beside a
     ``\label`` (the number of a formula, a section or a theorem) or None, and ``folders`` says where
     the certificates of cited theorems are. ``in_coq`` has for a theorem the sentences that it takes
-    on trust and Coq proves, by their names. ``notes`` are made where they are shown.
+    on trust and Coq proves, by their names, ``cited_in_coq`` the theorems that it cites and Coq
+    proves; ``whole_in_coq`` are those that Coq proves as a whole. ``notes`` are made where they are
+    shown. ``source`` is the SHA-256 of the text that was read, and ``fatal`` has the names of the
+    rows that refute the theorem if they are taken literally, with what is misprinted there.
     """
 
     authors: str
@@ -196,7 +206,11 @@ class Publication(Record):
     printed: Callable[[str], str | None]
     folders: Mapping[str, str]
     in_coq: Mapping[str, Collection[str]]
+    cited_in_coq: Mapping[str, Collection[str]]
+    whole_in_coq: Collection[str]
     notes: Callable[[], Notes]
+    source: Callable[[], str]
+    fatal: Mapping[str, str]
 
     def number(self, label: str) -> str:
         """What a label is called in print, or the label itself."""
@@ -206,6 +220,16 @@ class Publication(Record):
         """A label with its printed number before it; a label that has none as it is."""
         number = self.printed(label)
         return label if number is None else f"{number}, {label}"
+
+    @property
+    def text_read(self) -> str:
+        """Which version of the text was read."""
+        return f"the LaTeX text with the SHA-256 {self.source()}"
+
+    def severity(self, row: Obligation) -> str:
+        """How bad it is that a row is false, and whether the theorem is false with it."""
+        found = row.severity or ""
+        return f"{found}, {FATAL}" if row.name in self.fatal else found
 
     def has(self, labels: Iterable[str]) -> bool:
         """Whether one of the labels is of this text: a statement without any is somebody else's."""
@@ -248,3 +272,12 @@ class Statement(Record):
     obligations: tuple[Obligation, ...]
     assumptions: tuple[Assumption, ...]
     cites: tuple[Cite, ...] = ()
+
+    def context(self, name: str) -> Context:
+        """The context of this name.
+
+        Raises:
+            ValueError: if there is none.
+        """
+        (found,) = (context for context in self.contexts if context.name == name)
+        return found

@@ -22,6 +22,9 @@ MAX_INDEX = 99
 #: The largest exponent of a power that the wire format has.
 MAX_EXPONENT = 999
 
+#: Longer terms are not written out where Python shows them.
+MAX_SHOWN = 1000
+
 #: The operations without terms as arguments.
 LEAVES = ("rational", "symbol", "pi")
 #: The operations with a natural number after the one term: a power, and a root of some index.
@@ -63,6 +66,8 @@ class Term:
         return term
 
     def __repr__(self) -> str:
+        if operations_in(self) > MAX_SHOWN:
+            return f"<a term {self.op} of more than {MAX_SHOWN} operations>"
         return f"Term({self.op!r}, {', '.join(map(repr, self.args))})"
 
     def __add__(self, other: Number) -> Term:
@@ -348,6 +353,37 @@ def parts_of(*terms: Term) -> Iterator[Term]:
             seen.add(term)
             waiting += reversed(term.children)
             yield term
+
+
+_OPERATIONS: dict[Term, int] = {}
+
+
+def operations_in(term: Term) -> int:
+    """How many operations a term has if each part is written wherever it stands.
+
+    A part that stands in many places is counted once: the number may be very large.
+    """
+    found = _OPERATIONS.get(term)
+    if found is None:
+        count = sum(map(operations_in, term.children), 1) if term.children else 0
+        found = _OPERATIONS[term] = count
+    return found
+
+
+_SIGNS: dict[Term, int] = {}
+
+
+def signs_in(term: Term) -> int:
+    """About how many signs a term takes if each part is written wherever it stands."""
+    found = _SIGNS.get(term)
+    if found is None:
+        if term.op == "rational":
+            bits = term.value.numerator.bit_length() + term.value.denominator.bit_length()
+            found = 1 + bits * 3 // 10
+        else:
+            found = len(term.name) if term.op == "symbol" else sum(map(signs_in, term.children), 1)
+        _SIGNS[term] = found
+    return found
 
 
 def names_of(*terms: Term) -> Iterator[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from verify.language.statement import Always, Applies
-from verify.language.terms import Claim, Term
+from verify.language.terms import Claim, Term, signs_in
 
 _SUM, _PRODUCT, _NEGATION, _POWER, _ATOM = range(5)
 _LEVELS = {
@@ -19,7 +19,18 @@ _LEVELS = {
 _SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 #: What people write for functions where it is not the name of the operation.
 FUNCTION_NAMES = {"atan": "arctan"}
+#: A longer formula is left to the file with the statement, in which shared parts have names.
+MAX_SIGNS = 1 << 15
+LONG = "(long: see the statement file)"
 _BINARY = ("add", "sub", "mul", "div")
+
+
+def is_long(claim: Claim | Applies | Always) -> bool:
+    """Whether a claim is longer than it is written."""
+    if isinstance(claim, Claim):
+        return signs_in(claim.lhs) + signs_in(claim.rhs) > MAX_SIGNS
+    tables = (claim.at,) if isinstance(claim, Applies) else (claim.start, claim.next)
+    return sum(signs_in(term) for table in tables for term in table.values()) > MAX_SIGNS
 
 
 class Typesetter:
@@ -35,6 +46,8 @@ class Typesetter:
 
     def claim(self, claim: Claim | Applies | Always) -> str:
         """``lhs < rhs``, ``lhs ≤ rhs`` or ``lhs = rhs``; or the values put into a context."""
+        if is_long(claim):
+            return LONG
         if isinstance(claim, Applies):
             return f"{claim.context} at {self._values(claim.at)}"
         if isinstance(claim, Always):
@@ -49,7 +62,9 @@ class Typesetter:
         return ", ".join(f"{letter} = {text}" for letter, text in pairs)
 
     def term(self, term: Term) -> str:
-        """The term, with as few parentheses as its reading needs."""
+        """The term, with as few parentheses as its reading needs, unless it is very long."""
+        if signs_in(term) > MAX_SIGNS:
+            return LONG
         text = self._texts.get(term)
         if text is None:
             text = self._texts[term] = self._write(term)

@@ -2,7 +2,9 @@
 
 Those theorems are pinned in `verify/coq/Sentences.v`, the ones about the separatrix in
 `verify/coq/PinnedSeparatrix.v`; `.ci/coq` asks for all of them. A sentence that is a definition is
-defined in Coq by what stands here.
+defined in Coq by what stands here. Coq may also prove what a statement uses of another one that it
+cites: then it rests on none of the sentences that the other one takes on trust, but on its
+definitions.
 """
 
 from __future__ import annotations
@@ -23,6 +25,9 @@ _LENGTH = {"finite-length": ("Ending.place_cauchy", "Ending.positions_converge_t
 _OPEN = {"open-condition": ("Steady.steady_less", "Steady.nearby_both")}
 _NEAR = ("OneScene.numbers_of_point_are", "Interior.set_near")
 _CURVE = ("SeparatrixProof.separatrix",)
+_PAIR = ("SpectrumEigen.spectrum",)
+#: Theorem 1 with < in (4.10), and the spectrum.
+SIGN, SPECTRUM = f"{THEOREM}, the sign as printed", "THEORSS3.5SpectMatricVitLm"
 
 #: For each theorem with such sentences their names, in its order.
 IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
@@ -56,6 +61,38 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
         **_OPEN,
         "glue-interior": (*_NEAR, "PrintedProof.room_has_an_interior"),
     },
+    "classification": {
+        "cauchy-schwarz": (
+            "Vectors.cauchy_schwarz",
+            "Turning.wedge_by_coordinates",
+            "Turning.spin_bounded",
+        ),
+        "finite-length": ("Settling.settles_in_time", "Endless.settles_late"),
+        "glue-classification": ("ClassificationProof.no_triangle_holds",),
+    },
+    SIGN: {"glue-as-printed": ("PrintedSignProof.printed_sign_theorem_holds",)},
+    SPECTRUM: {
+        "collision-law": ("Theorem1.collided", "Spectrum.triple"),
+        "any-dimension": ("SpectrumMatrix.basis_holds", "SpectrumMatrix.matrix"),
+        "signs": ("SpectrumSentences.signs",),
+        "intermediate-value": ("SpectrumRoots.roots", "SpectrumRoots.increasing"),
+        "every-r": ("SpectrumOrbits.parameter", *_PAIR),
+        "polynomials": _PAIR,
+        "linear-algebra": ("SpectrumRoots.characteristic", *_PAIR),
+        "linear-model": ("Spectrum.orbit",),
+        "spiral": (
+            "SpectrumOrbits.orbits",
+            "SpectrumSentences.left_eigenvector",
+            "SpectrumSentences.plane_of_the_pair",
+            "SpectrumSentences.transverse",
+        ),
+        "spectral-radius": (
+            "SpectrumSentences.rates",
+            "SpectrumSentences.no_rate_when_forced",
+        ),
+        "zhou-kadanoff": ("ClassificationProof.least_angle_holds",),
+        "no-triangular-collapse": ("ClassificationProof.no_triangle_holds",),
+    },
     "separatrix": {
         "limit-map": ("Separatrix.goes_on", "Separatrix.next"),
         "unending": ("Separatrix.unending",),
@@ -65,3 +102,12 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
         "glue-none": _CURVE,
     },
 }
+
+#: For a statement the theorems that it cites and Coq proves, as far as they are used there.
+CITED_IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
+    SIGN: {"classification": ("ClassificationProof.least_angle_holds",)},
+    SPECTRUM: {"classification": ("ClassificationProof.least_angle_holds",)},
+}
+
+#: What Coq proves as a whole, from its definitions alone.
+WHOLE_IN_COQ: Mapping[str, tuple[str, ...]] = {SIGN: ("PinnedPrintedSign.printed_sign_proved",)}

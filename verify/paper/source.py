@@ -6,7 +6,7 @@ import os
 from functools import cache
 
 from verify.language.statement import PRINTED, REPAIRED, Constant, Notes, Publication
-from verify.paper.in_coq import IN_COQ
+from verify.paper.in_coq import CITED_IN_COQ, IN_COQ, WHOLE_IN_COQ
 from verify.paper.parameters import THEOREM
 
 TABLE = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data", "numbers.json")
@@ -36,6 +36,15 @@ def printed_numbers() -> dict[str, str]:
 
     with open(TABLE, encoding="utf-8") as file:
         return dict(json.load(file)["numbers"])
+
+
+@cache
+def source_sha256() -> str:
+    """The SHA-256 of the LaTeX text of the paper that was read."""
+    import json  # loaded only where it is used
+
+    with open(TABLE, encoding="utf-8") as file:
+        return str(json.load(file)["source_sha256"])
 
 
 def labels_called(number: str) -> list[str]:
@@ -70,5 +79,9 @@ PAPER = Publication(
         f"{THEOREM} for all parameters": "certificates/theorem1-all",
     },
     in_coq=IN_COQ,
+    cited_in_coq=CITED_IN_COQ,
+    whole_in_coq=WHOLE_IN_COQ,
     notes=notes,
+    source=source_sha256,
+    fatal={"printed.second-assumption-as-printed": "misprint < in (4.10)"},
 )

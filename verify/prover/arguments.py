@@ -2,36 +2,74 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from types import MappingProxyType
 from typing import Any
 
 from verify.language import argument
 from verify.language.argument import Argument, Chapter, Defined, Line, Opened, Reason
-from verify.language.statement import PROVED, REFUTED, Context, Obligation, Statement
-from verify.language.terms import Claim, Term
+from verify.language.statement import PROVED, REFUTED, UNDECIDED, Context, Obligation, Statement
+from verify.language.terms import Claim, Term, names_of
 from verify.prover import rules
+from verify.prover.budget import WorkBudget
 from verify.prover.outcome import Decision, Outcome
-from verify.prover.proof import Premise, Proof
-from verify.prover.session import Session
+from verify.prover.proof import LemmaStep, ObligationStep, Premise, Proof
+from verify.prover.session import ZERO, Session
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from verify.prover.ground import Ground
+
+#: Work for one sum from names; half of those of the paper take 20 000 units.
+NAMED_WORK = 20_000_000
+NO_SUM = (
+    "no sum of products of the facts that it names was found; name more facts, or write the "
+    "products"
+)
+NO_FACTS = "it names no facts; write by = with those from which it follows"
+NOTHING: Mapping[str, Proof] = MappingProxyType({})
 #: Enough for the exact values of the rational numbers at the point of the parameters.
 POINT_BITS = 512
 NUMBER_BITS = 64
 
 
-def write_down(written: Argument) -> Outcome:
-    """An argument as the steps of a certificate; whether they prove it the checker decides."""
-    writing = Writing(written.statement)
+def write_down(
+    written: Argument, at_hand: Mapping[str, Proof] = NOTHING, budget: WorkBudget | None = None
+) -> Outcome:
+    """An argument as the steps of a certificate; whether they prove it the checker decides.
+
+    A row for which no sum is found from the facts that it names is left undecided, and so is each
+    row that rests on it.
+
+    Args:
+        written: the statement, with its lines.
+        at_hand: proofs of lines by their names, which are taken where they use named facts only.
+        budget: the work that finding one sum may be.
+    """
+    writing = Writing(written.statement, at_hand, budget)
     for chapter in written.chapters:
         writing.chapter(chapter)
     return Outcome(written.statement, writing.decisions, tuple(writing.session.steps), {})
 
 
+def proofs_in(outcome: Outcome) -> dict[str, Proof]:
+    """The proofs of lemmas and rows in the steps of a certificate, by their names."""
+    kinds = (LemmaStep, ObligationStep)
+    return {step.name: step.proof for step in outcome.steps if isinstance(step, kinds)}
+
+
 class Writing:
     """The steps so far, and the decisions on obligations."""
 
-    def __init__(self, statement: Statement) -> None:
-        self.session = Session()
+    def __init__(
+        self,
+        statement: Statement,
+        at_hand: Mapping[str, Proof] = NOTHING,
+        budget: WorkBudget | None = None,
+    ) -> None:
+        self.session, self.at_hand = Session(), at_hand
+        self.budget = budget or WorkBudget(NAMED_WORK)
         self.rows = {row.name: row for row in statement.obligations}
         self.constants = {
             constant.name: constant
@@ -40,6 +78,14 @@ class Writing:
         }
         self.givens = {c.name: [g.claim for g in c.givens] for c in statement.contexts}
         self.decisions: dict[str, Decision] = {}
+        self.missing: dict[str, str] = {}  # why a line is not shown
+
+    @cached_property
+    def ground(self) -> Ground:
+        """What decides rows without variables."""
+        from verify.prover.ground import Ground  # flint is loaded only here
+
+        return Ground(self.session)
 
     def chapter(self, chapter: Chapter) -> None:
         """Take the items of a chapter, in order."""
@@ -62,11 +108,63 @@ class Writing:
         if row is not None and isinstance(line.reason, argument.ByWitness):
             self.refuted(row, line.reason.at)
             return
-        proof = proof_of(line.reason)
-        if row is not None:
+        if row is not None and isinstance(line.reason, argument.ToBeFound) and _is_ground(line):
+            self.decisions[row.name] = self.ground.decide(row)
+            return
+        proof = self.proof(line, context)
+        if proof is None:
+            if row is not None:
+                self.decisions[row.name] = Decision(UNDECIDED, reason=self.missing[line.name])
+        elif row is not None and isinstance(line.reason, argument.ByNegation):
+            self.session.prove_row(row, proof, holds=False)
+            self.decisions[row.name] = Decision(REFUTED, proof)
+        elif row is not None:
             self.decide(row, proof)
         elif isinstance(line.claim, Claim):
             self.session.lemma(line.claim, proof, context, line.name)
+
+    def proof(self, line: Line, context: str | None) -> Proof | None:
+        """The proof of a line; None if it rests on what is not shown, or if no sum is found."""
+        unknown = next((name for name in facts_of(line.reason) if name in self.missing), None)
+        if unknown is not None:
+            self.missing[line.name] = f"it rests on {unknown}, which is not shown"
+            return None
+        if isinstance(line.reason, argument.ToBeFound):
+            self.missing[line.name] = NO_FACTS
+            return None
+        if not isinstance(line.reason, argument.ByNames):
+            return proof_of(line.reason)
+        found = self._at_hand(line) or self._found(line, context)
+        if found is None:
+            self.missing[line.name] = NO_SUM
+        return found
+
+    def _at_hand(self, line: Line) -> Proof | None:
+        """The sum that is at hand for a line, if it uses the facts that the line names."""
+        found = self.at_hand.get(line.name)
+        if not isinstance(found, rules.Sum):
+            return None
+        reason = argument.BySum(found.addends, found.using, found.equations)
+        return found if {*facts_of(reason)} <= {*facts_of(line.reason)} else None
+
+    def _found(self, line: Line, context: str | None) -> Proof | None:
+        from verify.prover.search.named import Named, by_names  # flint is loaded only here
+
+        if not isinstance(line.claim, Claim) or not isinstance(line.reason, argument.ByNames):
+            return None
+        claims = {name: self.session.claims[name] for name in facts_of(line.reason)}
+        squares = tuple(fact for fact in line.reason.facts if not isinstance(fact, str))
+
+        def is_negative(term: Term) -> bool:
+            above, below = Claim("<", ZERO, term), Claim("<", ZERO, -term)
+            known = self.session.known
+            return known(above, context) is None and known(below, context) is not None
+
+        self.budget.refill()
+        try:
+            return by_names(line.claim, Named(claims, squares, is_negative), self.budget)
+        except ArithmeticError:  # the work is spent, or terms are too long
+            return None
 
     def decide(self, row: Obligation, proof: Proof) -> None:
         """Write down the proof of a row."""
@@ -81,9 +179,50 @@ class Writing:
         self.decisions[row.name] = Decision(REFUTED, proof)
 
 
+def _is_ground(line: Line) -> bool:
+    """Whether a line compares numbers without names."""
+    claim = line.claim
+    return isinstance(claim, Claim) and not any(names_of(claim.lhs, claim.rhs))
+
+
 def premise(claim: Claim) -> Premise:
     """Why a given holds at a point: equations identically, between rational numbers."""
     return rules.Sum() if claim.relation == "=" else rules.Interval(POINT_BITS)
+
+
+def facts_of(reason: Reason) -> Iterator[str]:
+    """The names of the facts that a reason uses."""
+    match reason:
+        case argument.BySum():
+            yield from (name for value in reason.addends for name in _facts_in(value))
+            yield from (*reason.using, *(name for name, _ in reason.equations))
+        case argument.ByNames():
+            yield from (fact for fact in reason.facts if isinstance(fact, str))
+        case argument.ByNegation():
+            yield from facts_of(reason.reason)
+        case argument.ByCases():
+            yield from (name for branch in reason.branches for name in facts_of(branch))
+        case argument.ByLeast():
+            yield from (name for branch in reason.branches for name in facts_of(branch))
+            yield from [reason.equation] if reason.equation else []
+        case argument.ByEntry():
+            yield from [reason.equation] if reason.equation else []
+        case argument.ByInstance():
+            yield from (reason.fact, *reason.givens)
+        case argument.ByApplying():
+            yield from reason.givens
+        case argument.ByInduction():
+            yield from (*reason.start, *reason.next)
+
+
+def _facts_in(value: object) -> Iterator[str]:
+    if isinstance(value, str):
+        if value != "goal" and not value[0].isdigit():
+            yield value
+    elif isinstance(value, tuple) and value[0] in ("add", "mul"):
+        yield from (name for part in value[1:] for name in _facts_in(part))
+    elif isinstance(value, tuple) and value[0] == "pow":
+        yield from _facts_in(value[1])
 
 
 #: The rules that take just what a reason has.
@@ -102,11 +241,15 @@ def proof_of(reason: Reason) -> Proof:
         case argument.ByLeast():
             branches = tuple(map(proof_of, reason.branches))
             return rules.Least(reason.side, branches, reason.equation)
+        case argument.ByNegation():
+            return proof_of(reason.reason)
+        case argument.ByCases():
+            return rules.Cases(reason.of, tuple(map(proof_of, reason.branches)))
         case argument.ByEntry():
             return rules.Entry(reason.side, reason.equation)
         case argument.ByInterval():
             return rules.Interval(NUMBER_BITS)
-        case argument.ToBeFound() | argument.ByWitness():
+        case argument.ToBeFound() | argument.ByWitness() | argument.ByNames():
             raise TypeError("this proof has to be found")
     found: Proof = _SAME[type(reason)](*reason)
     return found

@@ -35,7 +35,7 @@ ROOTS = ("sqrt", "root")
 
 
 class TooLongError(ArithmeticError):
-    """Expanding terms takes more products than ``MAX_PRODUCTS``, or leads to high degrees."""
+    """Expanding terms takes more products than are allowed, or leads to high degrees."""
 
 
 def inner_first(terms: Iterable[Term], inside: Callable[[Term], Iterable[Term]]) -> list[Term]:
@@ -186,8 +186,10 @@ class Clearing(Quotients):
         terms: Iterable[Term],
         replaced: Mapping[Term, Term],
         is_negative: Callable[[Term], bool] | None = None,
+        most: int = MAX_PRODUCTS,
     ) -> None:
         super().__init__()
+        self.most = most
         self.replaced, self._is_negative = replaced, is_negative
         self.atoms = atoms_of(terms, replaced)
         names = tuple(f"x{i}" for i in range(len(self.atoms)))
@@ -211,7 +213,7 @@ class Clearing(Quotients):
 
     def _count(self, products: int) -> None:
         self.products += products
-        if self.products > MAX_PRODUCTS:
+        if self.products > self.most:
             raise TooLongError
 
     def constant(self, value: Fraction) -> Polynomial:
@@ -232,20 +234,37 @@ class Clearing(Quotients):
 
     def reduce(self, polynomial: Polynomial) -> Polynomial:
         """The polynomial, times denominators, after replacing squares of roots, latest first."""
+        return self.reduced([polynomial])[0]
+
+    def reduced(self, polynomials: Sequence[Polynomial]) -> list[Polynomial]:
+        """The same of several polynomials, all times the same denominators."""
+        found = [*polynomials]
         for index in reversed(range(len(self.atoms))):
             atom = self.atoms[index]
-            if atom.op in ROOTS and polynomial.degrees()[index] >= index_of(atom):
-                polynomial = self._eliminate(polynomial, index, self.clear(atom.children[0]))
-        return polynomial
+            if atom.op not in ROOTS:
+                continue
+            highest = max((int(p.degrees()[index]) for p in found if not p.is_zero()), default=0)
+            times = highest // index_of(atom)
+            if times:
+                n, d = self.clear(atom.children[0])
+                needless = d == self.one
+                found = [
+                    p
+                    if needless and (p.is_zero() or p.degrees()[index] < index_of(atom))
+                    else self._eliminate(p, index, (n, d), times)
+                    for p in found
+                ]
+        return found
 
-    def _eliminate(self, polynomial: Polynomial, index: int, radicand: Quotient) -> Polynomial:
+    def _eliminate(
+        self, polynomial: Polynomial, index: int, radicand: Quotient, most: int
+    ) -> Polynomial:
         n, d = radicand
         x, root_index = self.context.gens()[index], index_of(self.atoms[index])
-        top = int(polynomial.degrees()[index]) // root_index
         total = self.context.constant(0)
         for power, part in coefficients(polynomial, index).items():
             times, odd = divmod(power, root_index)
-            scale = self.times(self.power(n, times), self.power(d, top - times))
+            scale = self.times(self.power(n, times), self.power(d, most - times))
             total += self.times(part * x**odd, scale)
         return total
 

@@ -10,6 +10,9 @@ DIGITS = 40
 #: Digits of which an enclosure has to have as many in common to be shown by one number.
 AGREEING = 3
 
+#: A decimal with as many digits is short.
+NEAR_DIGITS = 12
+
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -100,13 +103,14 @@ def outward(ends: tuple[Fraction, Fraction], digits: int = DIGITS) -> list[str]:
 def short(ends: tuple[Fraction, Fraction], digits: int = 8) -> str:
     """The digits on which the two ends agree, at most ``digits``, followed by … if cut off.
 
-    Where they agree on fewer than `AGREEING` digits, both ends, with as many as tell them apart.
+    Where they agree on fewer than `AGREEING` digits, a short decimal between them with what they
+    differ from it at most, or both ends, with as many digits as tell them apart.
     """
     low, high = ends
     if low == high:
         mantissa, exponent = round_decimal(low, digits, up=low < 0)
-        mark = "" if mantissa * Fraction(10) ** exponent == low else "…"
-        return people(decimal_text(mantissa, exponent), mark)
+        if mantissa * Fraction(10) ** exponent == low:
+            return people(decimal_text(mantissa, exponent))
     if low < 0 < high or not (low and high) or decimal_exponent(low) != decimal_exponent(high):
         return both_ends(ends)
     exponent = decimal_exponent(low) - digits + 1
@@ -115,15 +119,101 @@ def short(ends: tuple[Fraction, Fraction], digits: int = 8) -> str:
         a, b, exponent = _cut(a), _cut(b), exponent + 1
     if abs(a) < 10 ** (min(AGREEING, digits) - 1):
         return both_ends(ends)
-    return people(decimal_text(a, exponent), "…")
+    if exponent <= 0:
+        return people(decimal_text(a, exponent), "…")
+    head, rest = str(abs(a))[0], str(abs(a))[1:]  # in 99000… the zeros would be digits, too
+    digits_shown = f"{head}.{rest}" if rest else head
+    return people(f"{'-' if a < 0 else ''}{digits_shown}e{exponent + len(rest)}", "…")
+
+
+def near_decimal(ends: tuple[Fraction, Fraction]) -> Fraction | None:
+    """The short decimal between two ends that are so near to it that no other one is."""
+    low, high = ends
+    size, width = max(abs(low), abs(high)), high - low
+    if not 0 < width * 10 ** (2 * NEAR_DIGITS) <= size:
+        return None
+    mantissa, exponent = round_decimal((low + high) / 2, NEAR_DIGITS + 1, up=True)
+    unit = Fraction(10) ** (decimal_exponent(size) - NEAR_DIGITS + 1)
+    near = round(mantissa * Fraction(10) ** exponent / unit) * unit
+    return near if low <= near <= high else None
 
 
 def both_ends(ends: tuple[Fraction, Fraction]) -> str:
-    """The interval, rounded outward to as many digits as tell its ends apart, and two more."""
+    """The interval, rounded outward to as many digits as tell its ends apart, and two more.
+
+    Around a short decimal: this, and a power of ten that it differs from it at most.
+    """
     low, high = ends
-    largest = decimal_exponent(max(abs(low), abs(high)))
-    digits = min(max(3, 3 + largest - decimal_exponent(high - low)), DIGITS)
+    near = near_decimal(ends)
+    if near is not None:
+        most = max(near - low, high - near)
+        exponent = decimal_exponent(most) + (most != Fraction(10) ** decimal_exponent(most))
+        return f"{exact_number(near)} ± {people(decimal_text(1, exponent))}"
+    digits = min(max(AGREEING, _telling(low, high)), DIGITS)
     return f"[{', '.join(map(people, outward(ends, digits)))}]"
+
+
+def rounded_inwards(ends: tuple[Fraction, Fraction], digits: int) -> list[str]:
+    """Two decimals between the ends, as people write them, with at least ``digits`` digits.
+
+    There are as many more as it takes for nine tenths of what is between the ends to be between
+    the decimals.
+    """
+    low, high = ends
+    while True:
+        down, up = round_decimal(low, digits, up=True), round_decimal(high, digits, up=False)
+        a, b = (mantissa * Fraction(10) ** exponent for mantissa, exponent in (down, up))
+        if 10 * (b - a) >= 9 * (high - low):
+            return [people(decimal_text(*end)) for end in (down, up)]
+        digits = max(digits + 1, _telling(low, high) - 1)
+
+
+def told_apart(
+    left: tuple[Fraction, Fraction], right: tuple[Fraction, Fraction], digits: int = 8
+) -> tuple[str, str]:
+    """Two narrow enclosures in short, with so many digits that these show which number is larger.
+
+    Where the enclosures do not show it, with ``digits``.
+    """
+    if left[1] < right[0] or right[1] < left[0]:
+        for more in range(digits, DIGITS):
+            if _shows(left, right, more) or _shows(right, left, more):
+                texts = _to_digits(left, more), _to_digits(right, more)
+                if all(texts):
+                    return texts
+    return short(left, digits), short(right, digits)
+
+
+def _to_digits(ends: tuple[Fraction, Fraction], digits: int) -> str:
+    """An enclosure in short with all these digits, if it has as many; else nothing."""
+    low, high = ends
+    if near_decimal(ends) is not None:
+        return both_ends(ends)
+    if low == high or (low and high and decimal_exponent(low) == decimal_exponent(high)):
+        exponent = decimal_exponent(low or Fraction(1)) - digits + 1
+        if _towards_zero(low, exponent) == _towards_zero(high, exponent):
+            return short(ends, digits)
+    return ""
+
+
+def _shows(
+    smaller: tuple[Fraction, Fraction], larger: tuple[Fraction, Fraction], digits: int
+) -> bool:
+    """Whether the digits that are shown leave no doubt that one number is smaller."""
+    up, down = (
+        mantissa * Fraction(10) ** exponent
+        for mantissa, exponent in (
+            round_decimal(smaller[1], digits, up=True),
+            round_decimal(larger[0], digits, up=False),
+        )
+    )
+    # 0.99… is below 1, and -0.99… above -1, but 1.00… may be 1
+    return up < down or (up == down != 0 and (smaller[1] < up if up > 0 else down < larger[0]))
+
+
+def _telling(low: Fraction, high: Fraction) -> int:
+    """Digits that tell two ends apart, and two more."""
+    return 3 + decimal_exponent(max(abs(low), abs(high))) - decimal_exponent(high - low)
 
 
 def people(text: str, mark: str = "") -> str:
@@ -132,19 +222,19 @@ def people(text: str, mark: str = "") -> str:
     if not exponent:
         return digits + mark
     power = f"10{exponent.translate(_SUPERSCRIPTS)}"
-    return power if digits + mark == "1" else f"{digits}{mark}·{power}"
-
-
-def told_number(value: Fraction, digits: int = 8) -> str:
-    """A rational as people write it: the decimal that it is, or a short fraction, or its digits."""
-    text = short((value, value), digits)
-    return str(value) if "…" in text and value.denominator < 1000 else text
+    if digits in ("1", "-1") and not mark:
+        return digits.removesuffix("1") + power
+    return f"{digits}{mark}·{power}"
 
 
 def exact_number(value: Fraction, digits: int = 12) -> str:
-    """A rational exactly: as a decimal where that is short, else as a fraction."""
-    text = short((value, value), digits)
-    return str(value) if "…" in text else text
+    """A rational exactly: a decimal where that has few digits or is no longer, else a fraction."""
+    fraction = str(value)
+    mantissa, exponent = round_decimal(value, max(digits, len(fraction)), up=False)
+    text = people(decimal_text(mantissa, exponent))
+    if mantissa * Fraction(10) ** exponent != value:
+        return fraction
+    return text if len(str(abs(mantissa))) <= digits or len(text) <= len(fraction) else fraction
 
 
 def _towards_zero(value: Fraction, exponent: int) -> int:

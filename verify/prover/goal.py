@@ -66,10 +66,10 @@ class Goal(Record):
         return {name: ends for name, ends in box.items() if ends} if all(box.values()) else None
 
 
-def definitions_below(names: Iterable[str], definitions: dict[str, Term]) -> dict[str, Term]:
+def definitions_below(names: Iterable[str], definitions: Mapping[str, Term]) -> dict[str, Term]:
     """The definitions of names, and of those in them, in the order in which they were made."""
     wanted = {*names}
-    for name in reversed(definitions):
+    for name in reversed([*definitions]):
         if name in wanted:
             wanted.update(names_of(definitions[name]))
     return {name: term for name, term in definitions.items() if name in wanted}
@@ -106,8 +106,14 @@ def _bounds(given: Given) -> Iterator[tuple[str, Bounds]]:
 
 
 def _narrowed(old: Bounds, new: Bounds) -> Bounds:
-    if new.low is not None and (old.low is None or old.low < new.low):
+    """The better bounds of two; of equal ones those that are strict."""
+    if new.low is not None and (
+        old.low is None or (old.low, old.low_relation == "<") < (new.low, new.low_relation == "<")
+    ):
         old = old._replace(low=new.low, low_fact=new.low_fact, low_relation=new.low_relation)
-    if new.high is not None and (old.high is None or new.high < old.high):
+    if new.high is not None and (
+        old.high is None
+        or (new.high, new.high_relation != "<") < (old.high, old.high_relation != "<")
+    ):
         old = old._replace(high=new.high, high_fact=new.high_fact, high_relation=new.high_relation)
     return old

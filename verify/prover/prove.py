@@ -3,19 +3,33 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from functools import partial
+from time import monotonic
 from types import MappingProxyType
 
-from verify.language.statement import PROVED, UNDECIDED, Constant, Given, Obligation, Statement
+from verify.language.statement import (
+    PROVED,
+    UNDECIDED,
+    Applies,
+    Constant,
+    Context,
+    Given,
+    Obligation,
+    Statement,
+)
 from verify.language.terms import Claim, Term, equal, names_of, substitute, substitute_claim, symbol
 from verify.prover.budget import SpentError, WorkBudget
 from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.ground import Ground
 from verify.prover.hint import Hint
+from verify.prover.lengths import MAX_BITS
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import Step
-from verify.prover.reasons import MAX_BITS, hardest, is_too_long, without_value
+from verify.prover.reasons import hardest, without_value
 from verify.prover.rows_in_contexts import RowsInContexts
+from verify.prover.search.named import Named, by_names
+from verify.prover.search.relevance import facts_around
 from verify.prover.session import Session
 from verify.prover.techniques import find
 from verify.prover.universal import Universal
@@ -56,17 +70,20 @@ def prove(
     universal = Universal(ground, budget or WorkBudget(), find)
     for prefix, other in cited:
         make_known(prefix, other, universal)
-    spent = _opened(statement, universal) or price(None, "", ground.session.steps)
+    missing = _opened(statement, universal)
+    spent = price(None, "", ground.session.steps)
     rows = statement.obligations
     decisions = {}
     for left, row in zip(range(len(rows), 0, -1), rows, strict=True):
         universal.budget.begin(row.name, left)
         hint = hints.get(row.name, Hint())
+        reason = spent or next((missing[name] for name in _named(row) if name in missing), "")
         decisions[row.name] = (
-            Decision(UNDECIDED, reason=spent) if spent else _hinted(row, universal, price, hint)
+            Decision(UNDECIDED, reason=reason) if reason else _hinted(row, universal, price, hint)
         )
     names = (*statement.parameters, *(constant.name for constant in statement.constants))
-    enclosures = {} if spent else _enclosures(names, ground)
+    enclosures = {} if spent else _enclosures(names, ground, missing)
+    spent = spent or next(iter(missing.values()), "")
     return Outcome(statement, decisions, tuple(ground.session.steps), enclosures, spent)
 
 
@@ -80,47 +97,139 @@ def _unused_prefix(statement: Statement) -> str:
     return prefix
 
 
-def _opened(statement: Statement, universal: Universal) -> str:
-    """Define all constants and open all contexts; what could not be, in words."""
-    try:
-        spent = _defined(statement, universal.ground)
-        for context in statement.contexts:
-            universal.budget.refill()
-            sides = (side for given in context.givens for side in given.claim.key[1:])
-            terms = (*sides, *context.point.values(), *(c.term for c in context.constants))
-            if not spent and is_too_long(terms, universal.ground.definitions):
-                spent = f"the context {context.name}: {TOO_LONG}"
-            if not spent and not universal.open(context):
-                spent = f"the context {context.name} was not seen to have a point"
-                if universal.failed is not None:
-                    spent += f": its given {universal.failed.name} was not shown there"
-    except (ArithmeticError, RecursionError) as error:
-        return f"its constants and contexts were not decided: {_why(error)}"
-    return spent
-
-
-def _defined(statement: Statement, ground: Ground) -> str:
-    """Define all constants without variables; what could not be, in words."""
+def _opened(statement: Statement, universal: Universal) -> dict[str, str]:
+    """Define all constants and open all contexts; the names of what could not be, and why."""
+    missing, budget = dict[str, str](), universal.budget
     parameters = [Constant(n, n, n, "", term) for n, term in statement.parameters.items()]
     for constant in (*parameters, *statement.constants):
-        if is_too_long((constant.term,), ground.definitions):
-            return f"{constant.name}: {TOO_LONG}"
-        if not ground.define(constant):
-            return f"{constant.name} {ground.no_value}"
-    return ""
+        names: tuple[str, ...] = (*names_of(constant.term),)
+        _note(missing, constant.name, names, partial(_undefined, constant, universal), budget)
+    for context in statement.contexts:
+        universal.budget.refill()
+        names = (context.parent or "", *names_of(*_terms(context)))
+        _note(missing, context.name, names, partial(_unopened, context, universal), budget)
+        if context.name in missing:
+            missing |= {one.name: missing[context.name] for one in context.constants}
+    return missing
+
+
+def _note(
+    missing: dict[str, str],
+    name: str,
+    names: Iterable[str],
+    failed: Callable[[], str],
+    budget: WorkBudget,
+) -> None:
+    """Afterwards it is known why something is missing, if it is, or what it rests on."""
+    reason = next((missing[other] for other in names if other in missing), "")
+    try:
+        with budget.alarm():
+            reason = reason or failed()
+    except (ArithmeticError, RecursionError) as error:
+        reason = f"{name} was not decided: {_why(error)}"
+    if reason:
+        missing[name] = reason
+
+
+def _undefined(constant: Constant, universal: Universal) -> str:
+    """Why a constant without variables could not be defined, or nothing."""
+    ground = universal.ground
+    if universal.lengths.is_too_long((constant.term,), ground.definitions):
+        return f"{constant.name}: {TOO_LONG}"
+    return "" if ground.define(constant) else f"{constant.name} {ground.no_value}"
+
+
+def _unopened(context: Context, universal: Universal) -> str:
+    """Why a context could not be opened, or nothing."""
+    if universal.lengths.is_too_long(_terms(context), universal.ground.definitions):
+        return f"the context {context.name}: {TOO_LONG}"
+    undo, opened = universal.mark(), False
+    universal.failed = universal.undefined = None
+    try:
+        opened = universal.open(context)
+    finally:
+        if not opened:
+            undo()
+            universal.contexts.pop(context.name, None)
+    if opened:
+        return ""
+    reason = f"the context {context.name} was not seen to have a point"
+    failed, undefined = universal.failed, universal.undefined
+    if undefined is not None:
+        return f"{reason}: its given {undefined.name} was not seen to be defined by the others"
+    return reason if failed is None else f"{reason}: its given {failed.name} was not shown there"
+
+
+def _terms(context: Context) -> tuple[Term, ...]:
+    """The terms of its givens, of its point, and of its constants."""
+    sides = (side for given in context.givens for side in given.claim.key[1:])
+    return (*sides, *context.point.values(), *(one.term for one in context.constants))
+
+
+def _named(row: Obligation) -> set[str]:
+    """The contexts and the names that a row is about."""
+    claim = row.claim
+    if isinstance(claim, Claim):
+        found = {*names_of(claim.lhs, claim.rhs)}
+    elif isinstance(claim, Applies):
+        found = {claim.context, *names_of(*claim.at.values())}
+    else:
+        found = {claim.context, *names_of(*claim.start.values(), *claim.next.values())}
+    return found | ({row.context} if row.context else set())
 
 
 def _hinted(row: Obligation, universal: Universal, price: Price, hint: Hint) -> Decision:
     """The decision on a row that may use what its hint says."""
     if hint == Hint() or not isinstance(row.claim, Claim):
         return _priced(row, universal, price)
-    others = set() if hint.using is None else universal.rows - {*hint.using}
-    universal.rows -= others
+    follows = _following(row, row.claim, hint, universal, price) if hint.follows else None
+    if follows is not None:
+        return follows
     universal.hints = {row.claim: hint}
-    found = _priced(row, universal, price)
-    universal.hints = {}
-    universal.rows |= others
+    try:
+        for hidden in _hidden(row, hint, universal):
+            universal.hidden, universal.is_restricted = hidden, hint.using is not None
+            found = _priced(row, universal, price)
+            if found.claimed != UNDECIDED:
+                break
+    finally:
+        universal.hidden, universal.is_restricted, universal.hints = frozenset(), False, {}
     return found
+
+
+def _following(
+    row: Obligation, claim: Claim, hint: Hint, universal: Universal, price: Price
+) -> Decision | None:
+    """The decision that a row follows from the facts that are named, if a sum of them is found."""
+    session, place = universal.session, row.context
+    claims = {name: session.claims[name] for name in hint.using or () if name in session.claims}
+    universal.budget.refill()
+    undo, first = universal.mark(), len(session.steps)
+    try:
+        if not universal.clears((claim.lhs, claim.rhs), place):
+            return None
+        known = Named(claims, (), lambda term: universal.is_negative(term, place))
+        proof = by_names(claim, known, universal.budget)
+    except ArithmeticError:  # the work is spent, or terms are too long
+        proof = None
+    if proof is not None:
+        session.prove_row(row, proof)
+        universal.rows.add(row.name)
+        if not price(row, PROVED, session.steps[first:]):
+            return Decision(PROVED, proof)
+    undo()
+    return None
+
+
+def _hidden(row: Obligation, hint: Hint, universal: Universal) -> list[frozenset[str]]:
+    """What is not used: givens and rows that a hint does not name; then only such rows."""
+    if hint.using is None:
+        return [frozenset()]
+    rows = frozenset(universal.rows).difference(hint.using)
+    goal = universal.goal(row.claim, row.context) if isinstance(row.claim, Claim) else None
+    facts = () if goal is None else facts_around(goal, universal)
+    others = rows.union(facts).difference(hint.using)
+    return [others] if hint.follows else [*dict.fromkeys((others, rows))]
 
 
 def _priced(row: Obligation, universal: Universal, price: Price) -> Decision:
@@ -143,7 +252,8 @@ def _tried(row: Obligation, universal: Universal, price: Price) -> Decision:
     for table in (universal.reasons, universal.tried, universal.left, universal.valueless):
         table.clear()
     try:
-        found = _decide(row, universal.ground, universal)
+        with universal.budget.alarm():
+            found = _decide(row, universal.ground, universal)
     except Exception as error:
         found = Decision(UNDECIDED, reason=_why(error))
     except KeyboardInterrupt:
@@ -154,7 +264,10 @@ def _tried(row: Obligation, universal: Universal, price: Price) -> Decision:
     if found.claimed == UNDECIDED:
         undo()
         return found._replace(reason=_reason(found, row, universal))
-    reason = price(row, found.claimed, universal.session.steps[first:])
+    begin = monotonic()
+    with universal.budget.alarm():
+        reason = price(row, found.claimed, universal.session.steps[first:])
+    universal.budget.set_aside(monotonic() - begin)
     if reason:
         undo()
         universal.refused.add(universal.found_by)
@@ -164,7 +277,8 @@ def _tried(row: Obligation, universal: Universal, price: Price) -> Decision:
 
 def _reason(found: Decision, row: Obligation, universal: Universal) -> str:
     """Why a row is undecided: what was tried, and where it is open."""
-    if isinstance(row.claim, Claim) and row.context in universal.contexts:
+    in_context = isinstance(row.claim, Claim) and row.context in universal.contexts
+    if isinstance(row.claim, Claim) and in_context and not universal.budget.is_over:
         spent = universal.budget.spent
         universal.reasons |= dict.fromkeys(without_value(row.claim, universal.valueless))
         universal.budget.refill()
@@ -189,7 +303,8 @@ def _why(error: Exception) -> str:
 def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
     universal.budget.spend(0)  # no row is begun when the time is over
     if isinstance(row.claim, Claim):
-        if is_too_long((row.claim.lhs, row.claim.rhs), universal.every_definition):
+        sides = (row.claim.lhs, row.claim.rhs)
+        if universal.lengths.is_too_long(sides, universal.every_definition):
             return Decision(UNDECIDED, reason=TOO_LONG)
         names = names_of(row.claim.lhs, row.claim.rhs)
         if all(name in ground.definitions for name in names):
@@ -201,8 +316,11 @@ def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
     return RowsInContexts(universal).decide(row)
 
 
-def _enclosures(names: tuple[str, ...], ground: Ground) -> dict[str, Enclosure]:
-    found = {name: ground.enclose(ground.definitions[name]) for name in names}
+def _enclosures(
+    names: tuple[str, ...], ground: Ground, missing: Container[str]
+) -> dict[str, Enclosure]:
+    known = [name for name in names if name not in missing]
+    found = {name: ground.enclose(ground.definitions[name]) for name in known}
     return {name: enclosure for name, enclosure in found.items() if enclosure is not None}
 
 

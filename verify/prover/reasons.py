@@ -1,13 +1,11 @@
-"""Why a claim is undecided, in words: estimates, which prove nothing; and too long numbers."""
+"""Why a claim is undecided, in words: estimates, which prove nothing."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from fractions import Fraction
-from math import log2
 
-from verify.language.fold import fold
-from verify.language.terms import OPERATIONS, Claim, Term, parts_of
+from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
 from verify.prover.clearing import inner_first
 from verify.prover.goal import Goal
@@ -74,61 +72,3 @@ def without_value(claim: Claim, valueless: Collection[Term]) -> Iterator[str]:
             text, need = Typesetter({}).term(part), NEEDS.get(part.op, RADICAND)
             yield f"{text} was not seen to have a value everywhere: {need}"
             return
-
-
-# --- numbers that are too long for the checker ---------------------------------------------------
-
-#: The checker reads numbers of at most so many bits.
-MAX_BITS = 2**19
-
-#: The sign of a number and the logarithm of its absolute value; None where that is not seen.
-Size = tuple[int, float] | None
-
-
-def is_too_long(terms: Iterable[Term], definitions: Mapping[str, Term]) -> bool:
-    """Whether a number in the terms is so large, or so near to 0, that nobody can write it down."""
-    known: dict[Term, Size] = {}
-
-    def named(name: str) -> Size:
-        return fold(definitions[name], algebra, known) if name in definitions else None
-
-    algebra: dict[str, Callable[..., Size]] = {
-        **dict.fromkeys(OPERATIONS, lambda *_: None),
-        **_OPERATIONS,
-        "symbol": named,
-    }
-    for part in parts_of(*terms):
-        size = fold(part, algebra, known)
-        if size is not None and abs(size[1]) > MAX_BITS:
-            return True
-    return False
-
-
-def _rational(value: Fraction) -> Size:
-    if not value:
-        return None
-    top, bottom = abs(value.numerator), value.denominator
-    return (1 if value > 0 else -1), log2(top) - log2(bottom)
-
-
-def _sum(a: Size, b: Size) -> Size:
-    return (a[0], max(a[1], b[1])) if a and b and a[0] == b[0] else None
-
-
-def _product(a: Size, b: Size) -> Size:
-    return (a[0] * b[0], a[1] + b[1]) if a and b else None
-
-
-def _negative(a: Size) -> Size:
-    return (-a[0], a[1]) if a else None
-
-
-_OPERATIONS: Mapping[str, Callable[..., Size]] = {
-    "rational": _rational,
-    "add": _sum,
-    "sub": lambda a, b: _sum(a, _negative(b)),
-    "neg": _negative,
-    "mul": _product,
-    "div": lambda a, b: _product(a, (b[0], -b[1]) if b else None),
-    "pow": lambda a, k: (a[0] ** k, a[1] * k) if a else None,
-}

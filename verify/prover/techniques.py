@@ -32,6 +32,7 @@ from verify.prover.search.multiple_angles import by_multiple_angles
 from verify.prover.search.positive import few_squares, plain_squares, squares
 from verify.prover.search.quadratic import by_completing_squares
 from verify.prover.search.question import Question
+from verify.prover.search.relevance import rounds
 from verify.prover.search.rising import by_monotony, by_powers, by_same_arguments
 from verify.prover.search.signs import by_signs
 from verify.prover.search.squaring import by_squaring
@@ -128,6 +129,8 @@ LAST = (
     Technique("a very large tree", partial(by_tree, leaves=10 * MANY_LEAVES)),
     Technique("sums of the longest products", partial(by_products, degree=4)),
 )
+#: Those of them that use equations, which estimates do not look at.
+LAST_WITH_EQUATIONS = (LAST[0], LAST[3])
 
 
 ANYWHERE = Hint()
@@ -140,7 +143,32 @@ TECHNIQUES = tuple(
 
 
 def find(goal: Goal, known: Universal) -> Proof | None:
-    """The first proof that a technique finds; why one of them gave up is kept as a reason."""
+    """The first proof that a technique finds; why one of them gave up is kept as a reason.
+
+    Among many facts it is looked for with the nearest ones first.
+    """
+    if known.is_restricted:
+        return _found(goal, known)
+    finished, known.is_restricted = set[frozenset[str]](), True
+    try:
+        for hidden, units in rounds(goal, known):
+            if hidden in finished:
+                continue
+            undo, known.hidden = known.mark(), hidden
+            with known.budget.at_most(units) as share:
+                proof = _found(goal, known)
+                if proof is not None:
+                    return proof
+            if not share.is_over:
+                finished.add(hidden)
+            undo()
+    finally:
+        known.hidden, known.is_restricted = frozenset(), False
+    return None
+
+
+def _found(goal: Goal, known: Universal) -> Proof | None:
+    """The first proof that a technique finds with what may be used."""
     hint = known.hints.get(goal.claim, ANYWHERE)
     for question, techniques in _stages(goal, known):
         for technique in techniques:
@@ -190,7 +218,7 @@ def _of_equation(question: Question) -> Iterator[tuple[Question, tuple[Technique
     if widened.clears():
         yield widened, (NORMAL_FORM,)
     yield question, (LAWS,)
-    if question.clears() and question.may_be_equal():
+    if question.clears() and widened.may_be_equal():
         yield question, EQUATIONS
 
 
@@ -213,6 +241,8 @@ def _of_all_that_is_known(question: Question) -> Iterator[tuple[Question, tuple[
         for asked in dict.fromkeys((question, widened)):
             if _is_small(asked) and asked.clears() and not asked.is_refuted():
                 yield asked, group
+            elif group is LAST and asked is widened and asked.equations and asked.clears():
+                yield asked, LAST_WITH_EQUATIONS
 
 
 def _is_small(question: Question) -> bool:

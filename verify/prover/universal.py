@@ -28,6 +28,7 @@ from verify.prover.clearing import divisors, has_value
 from verify.prover.goal import Bounds, Goal, bounds_of, definitions_below, narrowed
 from verify.prover.ground import Ground
 from verify.prover.hint import Hint
+from verify.prover.lengths import Lengths
 from verify.prover.proof import Proof
 from verify.prover.relations import MEANINGS
 from verify.prover.rules import (
@@ -56,11 +57,15 @@ class Universal:
         self.refused: set[str] = set()  # techniques whose proof the checker cannot afford
         self.left: dict[str, tuple[Fraction, Fraction]] = {}  # the part of a box that is open
         self.hints: dict[Claim, Hint] = {}  # where to look for the proof of a claim
+        self.lengths = Lengths()
         self.contexts: dict[str, Context] = {}
         self.failed: Given | None = None  # at the values at which it was not shown
+        self.undefined: Given | None = None  # which was not seen to be defined by others
         self.valueless: set[Term] = set()  # quotients, roots and logarithms not seen to have one
         self.depth = 0  # of lemmas that lemmas need
         self.rows: set[str] = set()  # that are proved, so that later ones may use them
+        self.hidden: frozenset[str] = frozenset()  # givens and rows that are not to be used now
+        self.is_restricted = False  # whether it is decided what is hidden
         self.bounds: dict[str, Bounds] = {}
         self.ranged: set[str | None] = set()  # contexts in which more bounds were looked for
         self._homes: dict[str, str] = {}
@@ -119,6 +124,11 @@ class Universal:
                     proof = Sum(("goal", given.name, lemma))
                     yield Given(self.session.lemma(claim, proof, context.name), claim)
 
+    @property
+    def usable_rows(self) -> set[str]:
+        """The proved rows that may be used now."""
+        return (self.rows & self.session.claims.keys()) - self.hidden
+
     def is_at_home(self, name: str, context: str | None) -> bool:
         """Whether a variable is one of this context, not of one around it."""
         return self._homes.get(name) == context
@@ -145,6 +155,7 @@ class Universal:
         for given in context.givens:
             parts = parts_of(given.claim.lhs, given.claim.rhs)
             if not all(has_value(part, is_fact) for part in parts):
+                self.undefined = given
                 return False
             earlier.add(given.claim)
         return True

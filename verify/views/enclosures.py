@@ -1,17 +1,18 @@
-"""Enclosures that a view makes itself: entries of minima, and more digits than an outcome has."""
+"""Numbers that a view makes itself: entries of minima, more digits, values that are exact."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from fractions import Fraction
+from functools import partial
 
 from verify.language.record import Record
-from verify.language.statement import Constant
+from verify.language.statement import PROVED, Constant
 from verify.language.terms import Claim, Term, names_of
 from verify.prover import balls
-from verify.prover.decimals import outward
+from verify.prover.decimals import near_decimal, outward
 from verify.prover.outcome import Enclosure, Ends, Outcome
-from verify.prover.program import Machine, Program, Run
+from verify.prover.program import ExactArithmetic, Machine, Program, Run
 from verify.views.words import SHOWN_BITS, definitions_of, ends_of
 
 #: Digits of the entries of minima, as many as enclosures of constants have.
@@ -93,3 +94,89 @@ def _ends(run: Run, old: Ends, term: Term, bits: int) -> Ends:
         return old
     low, high = map(Fraction, outward(balls.ends(ball), int(bits * 0.30103) + 3))
     return (low, high) if high - low < old[1] - old[0] else old
+
+
+# --- what is no enclosure ------------------------------------------------------------------------
+
+#: Numerators and denominators of values that are computed exactly have at most so many bits.
+EXACT_BITS = 4096
+
+#: Values of functions at rational numbers that are rational.
+_KNOWN: dict[str, dict[Fraction, int]] = {
+    "exp": {Fraction(0): 1},
+    "log": {Fraction(1): 0},
+    "cos": {Fraction(0): 1},
+    "sin": {Fraction(0): 0},
+    "atan": {Fraction(0): 0},
+}
+
+
+class _Values(ExactArithmetic):
+    """Rational numbers, with the values of functions that are rational."""
+
+    def operation(self, name: str) -> Callable[..., Fraction | None]:
+        if name == "cos_pi":
+            return _cos_pi
+        known = _KNOWN.get(name)
+        return super().operation(name) if known is None else partial(_at, known)
+
+
+def _at(known: dict[Fraction, int], x: Fraction) -> Fraction | None:
+    """The value of a function at a number, if it is known to be rational."""
+    found = known.get(x)
+    return None if found is None else Fraction(found)
+
+
+def _cos_pi(x: Fraction) -> Fraction | None:
+    """cos(πx), where it is rational: at the multiples of 1/2 and 1/3 alone (Niven)."""
+    x = abs((x + 1) % 2 - 1)
+    found = {0: 2, Fraction(1, 3): 1, Fraction(1, 2): 0, Fraction(2, 3): -1, 1: -2}.get(x)
+    return None if found is None else Fraction(found, 2)
+
+
+def exactly(outcome: Outcome) -> Outcome:
+    """The same outcome for people: a number that is a short decimal is no enclosure of it."""
+    rows = [
+        (row.name, row.claim, found.sides)
+        for row, found in outcome.rows
+        if found.sides is not None and isinstance(row.claim, Claim) and _is_near(found.sides)
+    ]
+    near = [name for name, found in outcome.enclosures.items() if _is_near(found)]
+    if not near and not rows:
+        return outcome
+    program, known = Program(()), dict[str, Term]()
+    for name, term in definitions_of(outcome).items():
+        if known.keys() >= {*names_of(term)}:  # but not where a constant is one that is cited
+            known[name] = term
+            program.define(name, term)
+    near = [name for name in near if name in known]
+    rows = [row for row in rows if known.keys() >= {*names_of(row[1].lhs, row[1].rhs)}]
+    run = Machine(program, _Values(EXACT_BITS)).run(())
+    enclosures = {name: _exact(run, outcome.enclosures[name], (known[name],)) for name in near}
+    decisions = {}
+    for row, claim, sides in rows:
+        found = _exact(run, sides, (claim.lhs, claim.rhs))
+        if outcome.decisions[row].verdict == PROVED and claim.relation == "=":
+            found = found._replace(ends=_equal(*found.ends))
+        decisions[row] = outcome.decisions[row]._replace(sides=found)
+    return outcome._replace(
+        enclosures={**outcome.enclosures, **enclosures},
+        decisions={**outcome.decisions, **decisions},
+    )
+
+
+def _equal(left: Ends, right: Ends) -> tuple[Ends, Ends]:
+    """Two sides that are equal: where one is a number, so is the other one."""
+    exact = next((side for side in (left, right) if side[0] == side[1]), None)
+    return (left, right) if exact is None else (exact, exact)
+
+
+def _is_near(enclosure: Enclosure) -> bool:
+    return any(near_decimal(ends) is not None for ends in enclosure.ends)
+
+
+def _exact(run: Run, old: Enclosure, terms: Iterable[Term]) -> Enclosure:
+    values = (run[term] for term in terms)
+    pairs = zip(old.ends, values, strict=True)
+    ends = (e if v is None or v != near_decimal(e) else (v, v) for e, v in pairs)
+    return old._replace(ends=tuple(ends))

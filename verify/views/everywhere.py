@@ -15,6 +15,7 @@ from verify.language.statement import (
     Publication,
 )
 from verify.language.typeset import Typesetter
+from verify.prover.decimals import exact_number
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 from verify.views import words
 from verify.views.material import Whole
@@ -27,6 +28,9 @@ FORMAT = "verify-theorem1-all/1"
 
 #: For a row, bounds of the share of the plane on which it has each verdict.
 Shares = Mapping[str, Mapping[str, Ends]]
+
+#: Beside the verdicts: the values of φ⁺ for which nothing is proved, from the first to the second.
+LEFT_OPEN = "left open"
 
 CLAIM = (
     "Let 0 < r < 1, V₀ > 0, δ_θ > 0, and let θ₀ satisfy "
@@ -55,7 +59,7 @@ def screen(
     (cite,) = outcome.statement.cites
     yield "Theorem 1 for all parameters"
     yield ""
-    yield from printed_lines(as_printed)
+    yield from printed_lines(as_printed, paper)
     yield from _argument(printed, paper)
     yield f"The theorem with repaired constants: {words.headline(outcome)}"
     yield ""
@@ -109,9 +113,13 @@ def printed_screen(
     found = [(row, d) for row, d in outcome.rows if words.fair(outcome, row, d) == REFUTED]
     for severity in ACCUSATIONS:
         here = [row for row, d in found if not d.witness and row.severity == severity]
-        if here:
-            yield f"  {severity}, for all parameters:"
-            yield from (f"    {words.short_name(row)}   [{paper.cited(row.label)}]" for row in here)
+        for told in dict.fromkeys(paper.severity(row) for row in here):
+            yield f"  {told}, for all parameters:"
+            yield from (
+                f"    {words.short_name(row)}   [{paper.cited(row.label)}]"
+                for row in here
+                if paper.severity(row) == told
+            )
     yield ""
     for row, decision in found:
         if decision.witness:
@@ -126,7 +134,7 @@ def printed_screen(
         "-cos θ₀ ≤ 1 in the plane of φ⁻/(φ⁺)², between 0 and 1, and φ⁺, at V₀ = 1 and δ_θ = 1/10."
     )
     yield ""
-    yield from printed_lines(as_printed)
+    yield from printed_lines(as_printed, paper)
     yield "What the claim needs all the same: room for the angle at the start, which the set fixes."
     yield ""
     found_all = conjunction(outcome.decisions.values())
@@ -158,6 +166,10 @@ def _sentences(where: Outcome, shares: Shares, name: str) -> Iterator[str]:
         decided = [
             f"{v} at least {_percent(parts[v][0])}" for v in (PROVED, REFUTED) if parts[v][1]
         ]
+        if LEFT_OPEN in parts:
+            low, high = parts[LEFT_OPEN]
+            end = exact_number(high)
+            yield f"nothing is proved where {end} - {exact_number(high - low)} ≤ φ⁺ < {end}"
         left = parts[UNDECIDED][1]
         rest = f"undecided at most {_percent(left, up=True)}" if left else "nothing undecided"
         yield f"share: {', '.join([*decided, rest])}"

@@ -20,12 +20,13 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, names_of, symbol
 from verify.language.typeset import Typesetter
-from verify.prover.decimals import short
+from verify.prover.decimals import told_apart
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Premise, Shape, shapes
 from verify.prover.relations import negation
 from verify.prover.rules import RULES, Sum, Witness, rule_of
 from verify.prover.uses import Node, nodes
+from verify.views.enclosures import exactly
 from verify.views.point import parameters_told
 from verify.views.row_lists import plain_letters
 from verify.views.words import ends_of, ends_told, fair, letters, short_name, sides_of, sides_told
@@ -38,7 +39,7 @@ def explain(outcome: Outcome, name: str, paper: Publication, *, exact: bool = Fa
 
     A row is found by its name, with or without its group. Claims are simplified if not ``exact``.
     """
-    found = nodes(outcome)
+    found, outcome = nodes(outcome), exactly(outcome)
     rows = {row.name: (row, decision) for row, decision in outcome.rows}
     full = [row.name for row, _ in rows.values() if name in (row.name, short_name(row))]
     typesetter = letters(outcome) if exact else plain_letters(outcome)
@@ -101,7 +102,7 @@ def _about(
     if row is not None:
         sides = sides_of(*row)
         if sides is not None:
-            yield f"  left side {short(sides[0])}, right side {short(sides[1])}"
+            yield "  left side {}, right side {}".format(*told_apart(*sides))
     proved = node.claim
     if row is not None and row[1].verdict == REFUTED and not isinstance(node.proof, Witness):
         opposite = negation(proved) if isinstance(proved, Claim) else None
@@ -210,7 +211,7 @@ def about_label(outcome: Outcome, label: str, paper: Publication) -> list[str]:
     for verdict, title in KINDS.items():
         for row, found in rows:
             if row.role == PRINTED and fair(outcome, row, found) == verdict:
-                text += _false(outcome, row, found, title)
+                text += _false(outcome, row, found, title, paper)
     held = [row for row, d in rows if row.role == PRINTED and d.verdict == PROVED]
     true = [row for row, d in rows if row.role == NEEDED and d.verdict == PROVED]
     text += _named("printed, and proved", held) + _named("needed, and proved", true)
@@ -233,8 +234,11 @@ def _verdict(outcome: Outcome, rows: list[Row]) -> str:
     return "; ".join(parts)
 
 
-def _false(outcome: Outcome, row: Obligation, found: Decision, title: str) -> Iterator[str]:
-    severity = f" ({row.severity})" if fair(outcome, row, found) == REFUTED and row.severity else ""
+def _false(
+    outcome: Outcome, row: Obligation, found: Decision, title: str, paper: Publication
+) -> Iterator[str]:
+    told = paper.severity(row) if fair(outcome, row, found) == REFUTED else ""
+    severity = f" ({told})" if told else ""
     yield f"  {title}{severity}: {short_name(row)}: {row.says}"
     yield f"    {letters(outcome).claim(row.claim)}"
     yield from _numbers(row, found)

@@ -7,9 +7,10 @@ from typing import Any
 
 from verify.language.statement import REPAIRED, Always, Applies, Obligation, Publication
 from verify.language.terms import Claim
+from verify.language.typeset import LONG
 from verify.prover.outcome import Decision, Outcome
 from verify.views import words
-from verify.views.enclosures import minimum_of
+from verify.views.enclosures import exactly, minimum_of
 from verify.views.point import in_numbers
 from verify.views.setting import apart, markdown_template
 from verify.views.words import fair as verdict_of
@@ -28,11 +29,12 @@ def defects(outcome: Outcome, paper: Publication) -> str:
 
 def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
     """What the template speaks of."""
+    outcome = exactly(outcome)
     typesetter, about = words.letters(outcome), words.is_about(outcome, paper)
     main = about and outcome.statement.theorem == paper.theorem
 
     def brief(text: str) -> str:
-        return text if len(text) <= words.MAX_FORMULA else words.LONG
+        return text if len(text) <= words.MAX_FORMULA else LONG
 
     def claim(one: Claim | Applies | Always) -> str:
         return brief(typesetter.claim(one))

@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from html import escape
 
-from verify.language.terms import Claim, Term
-from verify.language.typeset import FUNCTION_NAMES
+from verify.language.terms import Claim, Term, signs_in
+from verify.language.typeset import FUNCTION_NAMES, LONG, MAX_SIGNS, is_long
 
 _SUM, _PRODUCT, _NEGATION, _ATOM = range(4)
 _LEVELS = {"add": _SUM, "sub": _SUM, "mul": _PRODUCT, "neg": _NEGATION}
@@ -45,6 +45,8 @@ class MathML:
 
         Browsers do not break lines inside of a formula.
         """
+        if is_long(claim):
+            return formula(f"<mtext>{LONG}</mtext>")
         left, right = self._summands(claim.lhs), self._summands(claim.rhs)
         right[0] = f'<mo form="infix">{_SIGNS[claim.relation]}</mo>{right[0]}'
         return "<wbr>".join(map(formula, (*left, *right)))
@@ -68,6 +70,8 @@ class MathML:
         return formula((f"<mo>{escape(before)}</mo>" if before else "") + self._term(term))
 
     def _term(self, term: Term) -> str:
+        if signs_in(term) > MAX_SIGNS:
+            return f"<mtext>{LONG}</mtext>"
         text = self._texts.get(term)
         if text is None:
             text = self._texts[term] = f"<mrow>{self._write(term)}</mrow>"

@@ -7,15 +7,16 @@ from html import escape
 
 from verify.language.statement import UNDECIDED, Constant, Obligation
 from verify.language.terms import Claim, symbol
-from verify.prover.decimals import short
+from verify.prover.decimals import short, told_apart
 from verify.prover.outcome import Decision, Outcome
 from verify.views import words
+from verify.views.enclosures import exactly
 from verify.views.mathml import MathML
 
 
 def notebook_page(outcome: Outcome) -> str:
     """HTML with MathML, and with no style or script of its own."""
-    return "\n".join(_lines(outcome))
+    return "\n".join(_lines(exactly(outcome)))
 
 
 def _lines(outcome: Outcome) -> Iterator[str]:
@@ -56,7 +57,7 @@ def _row(row: Obligation, found: Decision, outcome: Outcome, math: MathML) -> tu
     how = f"by {found.method}" if found.method and found.verdict != UNDECIDED else found.reason
     sides = words.sides_of(row, found)
     if sides is not None:
-        how += f"; {short(sides[0])} and {short(sides[1])}"
+        how += "; {} and {}".format(*told_apart(*sides))
     if found.witness:
         how += f"; at {words.values_told(words.witness_of(row, found), typesetter)}"
     return escape(row.name), claim, f"<b>{escape(found.verdict)}</b>", escape(how)

@@ -15,7 +15,14 @@ from verify.language.statement import (
 )
 from verify.language.terms import Term
 from verify.prover.decimals import decimal_text as decimal
-from verify.prover.decimals import people, round_decimal, short, told_number
+from verify.prover.decimals import (
+    exact_number,
+    people,
+    round_decimal,
+    rounded_inwards,
+    short,
+    told_apart,
+)
 from verify.prover.outcome import Outcome
 from verify.views import words
 
@@ -26,24 +33,24 @@ SAFE_DIGITS = 6
 def place(outcome: Outcome) -> str:
     """The point in a few words: r and the angle."""
     parameters = outcome.statement.parameters
-    return f"r = {told_number(parameters['r'].value)}, {_angle(parameters['c'])}"
+    return f"r = {exact_number(parameters['r'].value)}, {_angle(parameters['c'])}"
 
 
 def parameters_told(outcome: Outcome) -> str:
     """All parameters; beside an angle the value of -cos."""
     parameters = outcome.statement.parameters
-    v_0, delta = (told_number(parameters[name].value) for name in ("V_0", "delta_theta"))
+    v_0, delta = (exact_number(parameters[name].value) for name in ("V_0", "delta_theta"))
     return f"{place(outcome)}{_cosine(outcome)}, V₀ = {v_0}, δ_θ = {delta}"
 
 
 def _angle(c: Term) -> str:
     """The angle as it is written, where it is; else -cos of it."""
     if c.op == "rational":
-        return "θ₀ = π" if c.value == 1 else f"-cos θ₀ = {told_number(c.value)}"
+        return "θ₀ = π" if c.value == 1 else f"-cos θ₀ = {exact_number(c.value)}"
     cosine = c.children[0]
     angle = cosine.children[0].value
     if cosine.op == "cos":
-        return f"θ₀ = {told_number(angle, 20)}"
+        return f"θ₀ = {exact_number(angle)}"
     above = "" if angle.numerator == 1 else angle.numerator
     return f"θ₀ = {above}π" + (f"/{angle.denominator}" if angle.denominator > 1 else "")
 
@@ -67,7 +74,7 @@ def threshold(outcome: Outcome, hypothesis: str) -> str:
         ball = balls.from_fraction(r)
         if name == "r-below-stabi":
             stabi = short(balls.ends(9 - 4 * balls.root(balls.from_fraction(Fraction(5)))))
-            return f"r = {short((r, r))}, r_stabi = {stabi}"
+            return f"r = {exact_number(r)}, r_stabi = {stabi}"
         if name == "existence":
             bound = 4 * balls.root(ball) / (1 + ball)
         elif name == "stability":
@@ -75,8 +82,15 @@ def threshold(outcome: Outcome, hypothesis: str) -> str:
             bound = 2 * root * (1 + root) / (1 + ball)
         else:
             return ""
-        own = words.ends_told(words.ends_of(outcome, "c"))
-        return f"-cos θ₀ = {own}, the right side is {short(balls.ends(bound))}"
+        c, right = outcome.statement.parameters["c"], balls.ends(bound)
+        if c.op == "rational":
+            own, other = exact_number(c.value), told_apart((c.value, c.value), right)[1]
+        else:
+            enclosed = words.ends_of(outcome, "c")
+            own, other = (
+                ("undefined", short(right)) if enclosed is None else told_apart(enclosed, right)
+            )
+        return f"-cos θ₀ = {own}, the right side is {other}"
 
 
 def in_numbers(outcome: Outcome) -> str | None:
@@ -102,11 +116,10 @@ def theorem_in_numbers(outcome: Outcome) -> str:
         return people(_safe(value(name), up=False))
 
     third = (value("V_1") - known["V_0"].value) / 3
-    low = people(_safe(known["V_0"].value + third, up=True))
-    high = people(_safe(value("V_1") - third, up=False))
+    low, high = rounded_inwards((known["V_0"].value + third, value("V_1") - third), SAFE_DIGITS)
     angle = people(_safe(value("Delta_theta") / 4, up=False))
     root = words.ends_told(words.ends_of(outcome, "phi_minus"))
-    v_0, delta = (told_number(known[name].value) for name in ("V_0", "delta_theta"))
+    v_0, delta = (exact_number(known[name].value) for name in ("V_0", "delta_theta"))
     return (
         f"Given the assumptions: let {place(outcome)}{_cosine(outcome)}. Three particles in "
         f"dimension 2 or more, 0 and 1 in contact and just collided, with "

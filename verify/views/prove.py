@@ -8,10 +8,11 @@ from typing import Any
 from verify.language.statement import UNDECIDED, Obligation, Publication
 from verify.language.terms import Claim, symbol
 from verify.language.typeset import Typesetter
-from verify.prover.decimals import short
+from verify.prover.decimals import short, told_apart
 from verify.prover.outcome import Decision, Outcome
 from verify.views import words
-from verify.views.document import assumption_document, cite_document, row_document
+from verify.views.document import assumption_document, cite_document, row_document, value_text
+from verify.views.enclosures import exactly
 
 FORMAT = "verify-prove/1"
 
@@ -21,7 +22,7 @@ def decided_lines(outcome: Outcome, paper: Publication, *, numbers: bool = False
 
     With ``numbers`` there are also enclosures of constants and of both sides of each row.
     """
-    typesetter = words.letters(outcome)
+    typesetter, outcome = words.letters(outcome), exactly(outcome)
     if numbers:
         yield from _constants(outcome, typesetter)
     for row, found in outcome.rows:
@@ -33,7 +34,7 @@ def decided_lines(outcome: Outcome, paper: Publication, *, numbers: bool = False
         elif found.reason:
             line += f"   because {found.reason}"
         if found.witness:
-            line += f", false at {words.values_told(words.witness_of(row, found), typesetter)}"
+            line += f", false at {words.values_told(dict(found.witness), typesetter)}"
         yield line
         if numbers:
             yield from _numbers(row, found)
@@ -56,13 +57,19 @@ def _numbers(row: Obligation, found: Decision) -> Iterator[str]:
         yield f"  for all values of {row.context}"
     if sides is not None and isinstance(row.claim, Claim):
         left, right = sides
-        yield f"  left side {short(left)}, right side {short(right)}, at {found.bits or '-'} bits"
+        lhs, rhs = told_apart(left, right)
+        yield f"  left side {lhs}, right side {rhs}, at {found.bits or '-'} bits"
         low, high = right[0] - left[1], right[1] - left[0]
         yield f"  the right side is larger by {short((low, high))}"
     if found.verdict != UNDECIDED:
         yield f"  shown by the rule {found.method}, judged by {found.judge}"
     if row.uses:
         yield f"  given {', '.join(row.uses)}"
+
+
+def _values(found: Decision, typesetter: Typesetter) -> dict[str, str]:
+    """The values of a witness, all of which the givens need."""
+    return {name: value_text(term, typesetter) for name, term in found.witness.items()}
 
 
 def decided_document(outcome: Outcome) -> dict[str, Any]:
@@ -77,7 +84,9 @@ def decided_document(outcome: Outcome) -> dict[str, Any]:
         "assumptions": [assumption_document(a) for a in outcome.assumptions],
         "cites": [cite_document(cite) for cite in outcome.statement.cites],
         "obligations": [
-            row_document(outcome, row, found, typesetter) | {"reason": found.reason or None}
+            row_document(outcome, row, found, typesetter)
+            | {"reason": found.reason or None}
+            | ({"witness": _values(found, typesetter)} if found.witness else {})
             for row, found in outcome.rows
         ],
         "spent": outcome.spent or None,

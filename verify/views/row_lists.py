@@ -142,7 +142,7 @@ def row_lines(
         yield f"            false at {words.values_told(values, typesetter)}"
     if decision.verdict == REFUTED:
         better = words.INSTEAD_WORDS.get(verdict, "corrected by")
-        severity = row.severity if verdict == REFUTED else ""
+        severity = paper.severity(row) if verdict == REFUTED else ""
         parts = (severity, row.corrected_by and f"{better} {row.corrected_by}")
         yield f"            {'; '.join(part for part in parts if part)}".rstrip()
 

@@ -29,8 +29,8 @@ LESS = Fraction(1, 10**14)
 
 
 def exit_code(told: Told) -> int:
-    """0 with a verdict, or where it is known exactly why there is none; 3 otherwise."""
-    return 0 if told.verdict != UNDECIDED or told.is_exact else UNDECIDED_CODE
+    """0 with a verdict, 3 without one, also where it is known exactly why there is none."""
+    return 0 if told.verdict != UNDECIDED else UNDECIDED_CODE
 
 
 def judge_of(is_checked: bool) -> str:

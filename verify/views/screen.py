@@ -42,7 +42,7 @@ def screen(
     """
     yield f"Theorem 1 ({outcome.statement.theorem}) at {parameters_told(outcome)}"
     yield ""
-    yield from printed_lines(as_printed or {})
+    yield from printed_lines(as_printed or {}, paper)
     sets = [group for group in words.groups(outcome) if group != HYPOTHESES]
     yield from _hypotheses(outcome, paper)
     for group in sets:
@@ -60,11 +60,13 @@ def screen(
     yield _verdict(outcome, paper, sets)
 
 
-def printed_lines(verdicts: Mapping[str, str]) -> Iterator[str]:
-    """Whether the theorem is true as it is printed, and whether its set is right."""
+def printed_lines(verdicts: Mapping[str, str], paper: Publication) -> Iterator[str]:
+    """Whether the theorem is true as it is printed, and by which misprint not; and its set."""
     if "sign" in verdicts:
-        told = f"{verdicts['sign']} (certificates/printed-sign)"
-        yield f"Theorem 1 as printed, with < in (4.10): {told}"
+        what = ", ".join(["Theorem 1 as printed", *paper.fatal.values()])
+        is_in_coq = f"{paper.theorem}, the sign as printed" in paper.whole_in_coq
+        told = f"{verdicts['sign']}{' (Coq)' * is_in_coq}, certificates/printed-sign"
+        yield f"{what}: {told}"
     if "set" in verdicts:
         yield (
             f"Its set as printed, with > for <: {verdicts['set']} (certificates/printed-set), with "
@@ -89,6 +91,9 @@ def _argument(outcome: Outcome, paper: Publication) -> Iterator[str]:
         if row.severity and words.fair(outcome, row, found) in (REFUTED, OTHERWISE, REMARK)
     )
     rest = [counted(kinds[kind], kind) for kind in (HARMLESS, SLIP) if kinds[kind]]
+    fatal = [row.name for row, found in outcome.rows if words.fair(outcome, row, found) == REFUTED]
+    if any(name in paper.fatal for name in fatal):
+        rest[-1] += ", one fatal"
     if rest:
         yield f"  Also refuted: {', '.join(rest)}."
     others = [counted(kinds[kind], kind) for kind in (OTHERWISE, REMARK) if kinds[kind]]

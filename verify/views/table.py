@@ -20,6 +20,7 @@ def report_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
     typesetter = words.letters(outcome)
     sets = [group for group in words.groups(outcome) if group != HYPOTHESES]
     yield f"Theorem 1 ({outcome.statement.theorem}) at {parameters_told(outcome)}"
+    yield f"{paper.authors}: {paper.title}, as it stands in {paper.text_read}"
     yield ""
     yield from _first_screen(outcome, paper, sets)
     yield ""
@@ -102,7 +103,7 @@ def _first_screen(outcome: Outcome, paper: Publication, sets: list[str]) -> Iter
     for row, decision in outcome.rows:
         found = words.fair(outcome, row, decision)
         if found == REFUTED and (row.role == PRINTED or row.group in sets):
-            kind = f"{row.group}, {row.severity}" if row.severity else row.group
+            kind = f"{row.group}, {paper.severity(row)}" if row.severity else row.group
             refuted.setdefault(kind, []).append(words.short_name(row))
     for kind, names in refuted.items():
         yield f"Refuted, {kind}: {', '.join(names)}"

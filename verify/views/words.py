@@ -26,11 +26,8 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term, names_of, symbol
 from verify.language.typeset import Typesetter
-from verify.prover.decimals import short
+from verify.prover.decimals import short, told_apart
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
-
-#: The headline while the verdict rests on more than what is granted, here or in what is cited.
-CONDITIONALLY_PROVED = "conditionally proved"
 
 #: The headline where a hypothesis does not hold.
 DOES_NOT_APPLY = "does not apply"
@@ -38,7 +35,7 @@ DOES_NOT_APPLY = "does not apply"
 #: The kind of a sentence that says what the objects are.
 DEFINITION = "definition"
 
-#: The kinds of assumptions that do not make a proof conditional: what the objects are, theorems of
+#: The kinds of assumptions that are granted: what the objects are, theorems of
 #: general mathematics, and sentences that do nothing but put facts together that they name.
 GRANTED = (DEFINITION, "general mathematics", "numbered glue")
 
@@ -68,7 +65,6 @@ SIGNS = {"<": "<", "<=": "≤", "=": "="}
 
 #: A longer formula is left to the statement file where a row is told in one line.
 MAX_FORMULA = 400
-LONG = "(long: see the statement file)"
 
 #: Bits of the thresholds and entries of minima that are only shown.
 SHOWN_BITS = 192
@@ -80,15 +76,18 @@ SHOWN_BITS = 192
 def headline(outcome: Outcome) -> str:
     """The verdict in a few words.
 
-    What is proved from estimates is *conditionally* proved. Where a hypothesis does not hold, a
-    theorem does not apply.
+    It is the same word for people and for scripts; what it rests on stands beside it. Where a
+    hypothesis does not hold, a theorem does not apply.
     """
     if outcome.verdict == REFUTED and group_fails(outcome, HYPOTHESES):
         return DOES_NOT_APPLY
-    if outcome.verdict != PROVED:
-        return outcome.verdict
+    return outcome.verdict
+
+
+def rests_on_more(outcome: Outcome) -> bool:
+    """Whether what is proved rests on more than what is granted, here or in what is cited."""
     kinds = {assumption.kind for assumption in outcome.assumptions}
-    return PROVED if kinds <= set(GRANTED) else CONDITIONALLY_PROVED
+    return outcome.verdict == PROVED and not kinds <= set(GRANTED)
 
 
 def group_fails(outcome: Outcome, group: str) -> bool:
@@ -134,14 +133,17 @@ def given_by(outcome: Outcome, paper: Publication) -> str:
 def believed(outcome: Outcome, paper: Publication) -> str:
     """Which sentences are believed, and which Coq proves, of those that the verdict rests on.
 
-    Coq has definitions as well; that they say what is meant is believed.
+    Coq has definitions as well; that they say what is meant is believed. Where Coq proves what is
+    cited, the verdict rests on none of the sentences behind that, but on its definitions.
     """
     theorem = outcome.statement.theorem
     own = [(theorem, one) for one in outcome.own_assumptions]
+    cited = list(_cited(theorem, outcome.statement.cites, paper))
     known: dict[Assumption, bool] = {}
-    for theorem, one in [*own, *_cited(outcome.statement.cites)]:
+    for theorem, one in [*own, *cited]:
         known[one] = known.get(one, True) and one.name in paper.in_coq.get(theorem, ())
     proved = [one.name for one, found in known.items() if found and one.kind != DEFINITION]
+    proved += [f"what is used of {name}" for name in cited_in_coq(outcome, paper)]
     others = [one for one, found in known.items() if not found or one.kind == DEFINITION]
     names = [f"{one.name} ({one.kind})" if one.kind == DEFINITION else one.name for one in others]
     count = f"{len(known)} sentence{'s' * (len(known) != 1)}"
@@ -149,10 +151,21 @@ def believed(outcome: Outcome, paper: Publication) -> str:
     return f"Rests on {count}. Believed: {', '.join(names) or 'none'}. Proved in Coq: {list_}."
 
 
-def _cited(cites: Iterable[Cite]) -> Iterator[tuple[str, Assumption]]:
+def cited_in_coq(outcome: Outcome, paper: Publication) -> list[str]:
+    """The names of the theorems that a statement cites and Coq proves, as far as they are used."""
+    proved = paper.cited_in_coq.get(outcome.statement.theorem, ())
+    return [cite.name for cite in outcome.statement.cites if cite.theorem in proved]
+
+
+def _cited(
+    theorem: str, cites: Iterable[Cite], paper: Publication
+) -> Iterator[tuple[str, Assumption]]:
+    proved = paper.cited_in_coq.get(theorem, ())
     for cite in cites:
-        yield from ((cite.theorem, one) for one in cite.assumptions)
-        yield from _cited(cite.cites)
+        is_proved = cite.theorem in proved
+        found = [(cite.theorem, one) for one in cite.assumptions]
+        found += _cited(cite.theorem, cite.cites, paper)
+        yield from ((by, one) for by, one in found if not is_proved or one.kind == DEFINITION)
 
 
 def cited_as(cite: Cite, paper: Publication) -> str:
@@ -345,7 +358,7 @@ def sides_told(row: Obligation, decision: Decision, digits: int = 8) -> str:
     sides = sides_of(row, decision)
     if sides is None or not isinstance(row.claim, Claim):
         return ""
-    left, right = (short(side, digits) for side in sides)
+    left, right = told_apart(*sides, digits)
     return f"{left} {SIGNS[row.claim.relation]} {right}"
 
 

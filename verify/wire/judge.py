@@ -63,8 +63,19 @@ def report_on(outcome: Outcome) -> check.Report:
     rows = tuple(row for row, found in outcome.rows if found.claimed != UNDECIDED)
     if outcome.claimed == UNDECIDED:
         rows = tuple(row._replace(role=NEEDED) for row in rows)
-    asked = outcome._replace(statement=outcome.statement._replace(obligations=rows))
-    return _report(write(asked))
+    return _report(write(_restricted(outcome, rows)))
+
+
+def _restricted(outcome: Outcome, rows: tuple[Obligation, ...]) -> Outcome:
+    """The same with these rows only, and without constants and contexts that have no step."""
+    statement = outcome.statement._replace(obligations=rows)
+    if outcome.spent:
+        made = {step.name for step in outcome.steps}
+        statement = statement._replace(
+            constants=tuple(one for one in statement.constants if one.name in made),
+            contexts=tuple(one for one in statement.contexts if one.name in made),
+        )
+    return outcome._replace(statement=statement)
 
 
 def with_verdicts(outcome: Outcome, report: check.Report) -> Outcome:
@@ -85,14 +96,23 @@ def _with(outcome: Outcome, verdicts: Mapping[str, str], judge: str = CHECKER) -
     return outcome._replace(decisions=decisions)
 
 
-def packaged(name: str) -> Outcome:
+def packaged(name: str, *, anew: bool = False) -> Outcome:
     """The outcome that comes with the program, with the verdicts that the checker has given.
 
+    With `anew` its certificate is checked again, and every verdict is the checker's of this run.
+
     Raises:
-        OwnError: if its files are not those that it has accepted.
+        OwnError: if its files are not those that it has accepted, or the checker refuses them.
     """
     statement, certificate = packaged_files(name)
-    outcome = read(statement, certificate, packaged_statements(cited_digests(statement)))
+    cited = packaged_statements(cited_digests(statement))
+    outcome = read(statement, certificate, cited)
+    if anew:
+        files = {f"cited/{digest}.json": content for digest, content in cited.items()}
+        report = _report({"statement.json": statement, "certificate.json": certificate, **files})
+        if report.verdict == "REFUSED":
+            raise _refused(report, report.summary)
+        return with_verdicts(outcome, report)
     verdicts = {row: found.claimed for row, found in outcome.decisions.items()}
     return _with(outcome, verdicts, SHIPPED)
 
@@ -100,18 +120,14 @@ def packaged(name: str) -> Outcome:
 def known(name: str, statement: Statement, *, anew: bool = False) -> Outcome | None:
     """The outcome of a statement, if it comes with the program under this name; else None.
 
-    With `anew` its certificate is checked again, and every verdict is the checker's of this run.
-
     It is compared with the statement that the checker has accepted: after any change to what the
     paper's room says, they differ, and whoever asks has to prove it anew.
 
     Raises:
         OwnError: if the files that came with the program were changed, or the checker refuses them.
     """
-    outcome = packaged(name)
-    if outcome.statement != statement:
-        return None
-    return judged(outcome) if anew else outcome
+    outcome = packaged(name, anew=anew)
+    return outcome if outcome.statement == statement else None
 
 
 def read_judged(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]) -> Outcome:

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 import re
+from codecs import BOM_UTF8
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from verify import check
 from verify.language.errors import UnreadError
 from verify.language.statement import NEEDED, PROVED, UNDECIDED, Cite, Obligation, Statement
-from verify.prover.budget import WorkBudget
+from verify.prover.budget import SpentError, WorkBudget
+from verify.prover.definedness import completed
 from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Step
@@ -19,7 +21,7 @@ from verify.wire.inputs import InputError, TooDeepError, shown
 from verify.wire.judge import judged
 from verify.wire.read import cites_of, read_statement
 from verify.wire.term_json import TermReader
-from verify.wire.text import Page
+from verify.wire.text import OTHERS, Page
 from verify.wire.write import certificate_file, digest, statement_file
 
 #: What the checker says where there is more than it reads.
@@ -49,6 +51,7 @@ def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
     Raises:
         InputError: for a file that cannot be used, with the place and the reason in one line.
     """
+    content = content.removeprefix(BOM_UTF8)
     if path.endswith(".toml"):
         from verify.wire.text.read_page import read_page
 
@@ -56,7 +59,7 @@ def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
     if path.endswith(".smt2"):
         from verify.wire.text.smtlib import read_smtlib
 
-        return Page(read_smtlib(path, content), {})
+        return read_smtlib(path, content)
     if path.endswith(".fpcore"):
         from verify.wire.text.fpcore import read_fpcore
 
@@ -80,7 +83,16 @@ def decide(
         InputError: for a statement that the checker cannot read.
         OwnError: if the checker refuses what the search calls proved.
     """
-    price, cited = Reading(statement).price, list(_proved(statement.cites))
+    budget, cited = budget or WorkBudget(), list(_proved(statement.cites))
+
+    def proves(part: Statement) -> bool:
+        with budget.part(1, 1 + len(statement.obligations)) as share:
+            found = prove(part, budget=share, cited=cited)
+        return not found.spent and all(d.claimed == PROVED for d in found.decisions.values())
+
+    reading, asked = Reading(statement), statement
+    statement = completed(statement, proves)
+    price = reading.price if statement is asked else Reading(statement).price
     outcome = prove(statement, budget=budget, price=price, hints=hints, cited=cited)
     try:
         return judged(outcome)
@@ -89,6 +101,59 @@ def decide(
             raise
         found = Decision(UNDECIDED, reason=str(error))
         return outcome._replace(decisions=dict.fromkeys(outcome.decisions, found))
+
+
+def decide_page(page: Page, budget: WorkBudget) -> Outcome:
+    """Every row of a page, decided and judged; other forms of a row are tried if it is undecided.
+
+    The first form has all the work for a row, as on a page that is written so, and two thirds of
+    the time; the others have half as much work together. What is found apart is decided once more
+    with the other rows.
+
+    Raises:
+        InputError: for a statement that the checker cannot read.
+        OwnError: if the checker refuses what the search calls proved.
+    """
+    statement = page.statement
+    if not page.forms:
+        return decide(statement, budget, page.hints)
+    with budget.part(1, 1.5) as most:
+        first = decide(statement, most, page.hints)
+    open_rows = [row.name for row, found in first.rows if found.claimed == UNDECIDED]
+    found: dict[str, Outcome] = {}
+    for left, name in zip(range(len(open_rows), 0, -1), open_rows, strict=True):
+        outcome = _by_other_forms(page, name, budget, left)
+        if outcome is not None:
+            found[name] = outcome
+    if not found or len(statement.obligations) == 1:
+        return next(iter(found.values()), first)
+    return decide(_with_forms(statement, found), budget, page.hints)
+
+
+def _by_other_forms(page: Page, name: str, budget: WorkBudget, rows: int) -> Outcome | None:
+    """The outcome of the first other form of a row that is decided; None if none is."""
+    for left in range(OTHERS, 0, -1):
+        form = None if budget.is_over else next(page.forms[name], None)
+        if form is None:
+            break
+        context, row = form
+        contexts = () if context is None else (context,)
+        asked = page.statement._replace(obligations=(row,), contexts=contexts)
+        with budget.part(2 * OTHERS, left * rows + (len(page.forms) > 1)) as share:
+            outcome = decide(asked, share)
+        if outcome.claimed != UNDECIDED:
+            return outcome
+    return None
+
+
+def _with_forms(statement: Statement, found: Mapping[str, Outcome]) -> Statement:
+    """The statement with other forms of some of its rows."""
+    contexts = {context.name: context for context in statement.contexts}
+    rows = {row.name: row for row in statement.obligations}
+    for outcome in found.values():
+        contexts |= {context.name: context for context in outcome.statement.contexts}
+        rows |= {row.name: row for row in outcome.statement.obligations}
+    return statement._replace(contexts=(*contexts.values(),), obligations=(*rows.values(),))
 
 
 def _is_limit(error: Exception) -> bool:
@@ -124,13 +189,15 @@ class Reading:
         """Why the checker does not come to the end of the steps for a row; or nothing."""
         try:
             self._read(row, claimed, steps)
-        except (check.Malformed, RecursionError) as error:
-            if not _is_limit(error):  # a mistake of ours, which the judge will name
+        except (check.Malformed, RecursionError, SpentError) as error:
+            is_late = isinstance(error, SpentError)
+            if not is_late and not _is_limit(error):  # a mistake of ours, which the judge will name
                 return ""
             self._begin()
             for batch in self._batches:
                 self._read(*batch)
-            return f"the proof that was found is more than the checker reads: {error!s:.200}"
+            what = "is checked too late" if is_late else "is more than the checker reads"
+            return f"the proof that was found {what}: {error!s:.200}"
         self._batches.append((row, claimed, tuple(steps)))
         return ""
 

@@ -82,6 +82,12 @@ def _ends(texts: Any) -> tuple[Fraction, Fraction]:
     return low, high
 
 
+def statement_of(content: bytes, cited: Mapping[str, bytes]) -> Statement:
+    """The statement that a file is; ``cited`` has what it cites, by the digests."""
+    document = json.loads(content)
+    return read_statement(document, TermReader(document["terms"]), cited)
+
+
 def read_statement(document: Any, reader: TermReader, cited: Mapping[str, bytes]) -> Statement:
     """The statement that a JSON value stands for."""
     return Statement(
@@ -104,6 +110,15 @@ def _cite(item: Any, cited: Mapping[str, bytes]) -> Cite:
     assumptions = tuple(Assumption(**entry) for entry in document["assumptions"])
     certificate = _certificate_of(digest, cited)
     return Cite(item["name"], item["theorem"], content, inner, assumptions, certificate)
+
+
+def cite_of(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]) -> Cite:
+    """The citation of a statement under its theorem's name; ``cited`` has what it cites."""
+    document = json.loads(statement)
+    theorem = document["theorem"]
+    inner = tuple(_cite(item, cited) for item in document["cites"])
+    assumptions = tuple(Assumption(**entry) for entry in document["assumptions"])
+    return Cite(theorem, theorem, statement, inner, assumptions, certificate)
 
 
 def cites_of(cited: Mapping[str, bytes]) -> tuple[Cite, ...]:

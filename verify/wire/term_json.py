@@ -9,7 +9,16 @@ from fractions import Fraction
 from typing import Any
 
 from verify.language.statement import Always, Applies
-from verify.language.terms import INDEXED, OPERATIONS, Claim, Term, as_term, nth_root, symbol
+from verify.language.terms import (
+    INDEXED,
+    OPERATIONS,
+    Claim,
+    Term,
+    as_term,
+    nth_root,
+    operations_in,
+    symbol,
+)
 
 #: The operations that are written as lists.
 WRITTEN = tuple(op for op in OPERATIONS if op not in ("rational", "symbol"))
@@ -61,7 +70,7 @@ class TermWriter(_Parts):
         self._names: dict[Term, str] = dict(known)
         counts = _occurrences(terms, self._names)
         for term, count in counts.items():
-            if count > 1 and _size(term) >= SHARED_SIZE:
+            if count > 1 and operations_in(term) >= SHARED_SIZE:
                 self._names[term] = f"{prefix}.{len(self._names) - len(known) + 1}"
         self._own = {term: name for term, name in self._names.items() if term not in known}
 
@@ -111,17 +120,7 @@ def _occurrences(terms: Iterable[Term], known: Mapping[Term, str]) -> Counter[Te
             counts[term] += 1
             if counts[term] == 1:
                 waiting += term.children
-    return Counter(dict(sorted(counts.items(), key=lambda pair: _size(pair[0]))))
-
-
-_SIZES: dict[Term, int] = {}
-
-
-def _size(term: Term) -> int:
-    size = _SIZES.get(term)
-    if size is None:
-        size = _SIZES[term] = sum(map(_size, term.children), 1) if term.children else 0
-    return size
+    return Counter(dict(sorted(counts.items(), key=lambda pair: operations_in(pair[0]))))
 
 
 class TermReader(_Parts):

@@ -274,3 +274,10 @@ def _lines(value: Any) -> str:
 
 
 _compact = json.JSONEncoder(ensure_ascii=False, sort_keys=True).encode
+
+
+def cite_of_outcome(outcome: Outcome) -> Cite:
+    """The citation of what an outcome proves, under its theorem's name."""
+    files, said = write(outcome), outcome.statement
+    content, certificate = files["statement.json"], files["certificate.json"]
+    return Cite(said.theorem, said.theorem, content, said.cites, said.assumptions, certificate)

@@ -10,18 +10,20 @@ from pathlib import Path
 
 import pytest
 
+from tests.pages import Variables, headings
 from verify import check
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Always, Obligation
-from verify.language.terms import Claim, Term, as_term, names_of, substitute
-from verify.paper.classification import run as state
-from verify.paper.classification.classification import SECTIONS, classification
+from verify.language.terms import Claim, Term, as_term, names_of, substitute, symbol
 from verify.paper.commands.classification import decide_classification
+from verify.paper.commands.pages import page
 from verify.paper.commands.regenerate import is_right_statement
 from verify.prover.outcome import Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Proof
 from verify.prover.rules import Sum
 from verify.wire.read import read
 from verify.wire.write import write
+
+STATEMENT = page("classification").statement
 
 
 def report(outcome: Outcome) -> check.Report:
@@ -57,7 +59,7 @@ def test_the_misprint_is_corrected_by_a_row_that_is_needed() -> None:
     assert set(decision.witness) == {"r", "triple.a", "triple.b", "triple.c", "triple.t"}
 
 
-@pytest.mark.parametrize("heading", SECTIONS)
+@pytest.mark.parametrize("heading", headings("classification"))
 def test_each_part_has_rows(heading: str) -> None:
     found = decide_classification().of_group(heading)
     assert found
@@ -70,7 +72,7 @@ def test_it_is_the_program_s_own() -> None:
 
 def test_only_four_sentences_of_mathematics_are_assumed() -> None:
     assumptions = decide_classification().assumptions
-    assert assumptions == classification().statement.assumptions
+    assert assumptions == STATEMENT.assumptions
     kinds = [assumption.kind for assumption in assumptions]
     assert kinds.count("general mathematics") == 4
     assert kinds.count("definition") == 2
@@ -78,12 +80,11 @@ def test_only_four_sentences_of_mathematics_are_assumed() -> None:
 
 
 def test_glue_names_facts_that_are_there() -> None:
-    statement = classification().statement
-    known = {row.name for row in statement.obligations}
-    known |= {given.name for context in statement.contexts for given in context.givens}
-    known |= {assumption.name for assumption in statement.assumptions}
+    known = {row.name for row in STATEMENT.obligations}
+    known |= {given.name for context in STATEMENT.contexts for given in context.givens}
+    known |= {assumption.name for assumption in STATEMENT.assumptions}
     prose = {"so-called", "Cauchy-Schwarz"}
-    glue = [a for a in statement.assumptions if a.kind == "numbered glue"]
+    glue = [a for a in STATEMENT.assumptions if a.kind == "numbered glue"]
     for number, assumption in enumerate(glue, 1):
         assert assumption.sentence.startswith(f"{number}. ")
         words = {word.strip(".,:;()") for word in assumption.sentence.split()}
@@ -100,7 +101,7 @@ def other(claim: Claim, context: str | None) -> Claim | None:
     names = [*names_of(changed_side(claim))]
     variables = [
         variable.name
-        for found in classification().statement.contexts
+        for found in STATEMENT.contexts
         if found.name == context
         for variable in found.variables
     ]
@@ -199,7 +200,7 @@ def test_there_are_many_wrong_claims() -> None:
 def test_a_sum_without_one_of_its_addends_is_refused() -> None:
     steps: list[object] = []
     names: set[str] = set()
-    rows = {row.name: row for row in classification().statement.obligations}
+    rows = {row.name: row for row in STATEMENT.obligations}
     for step in decide_classification().steps:
         if isinstance(step, LemmaStep | ObligationStep) and isinstance(step.proof, Sum):
             place = step if isinstance(step, LemmaStep) else rows[step.name]
@@ -217,14 +218,16 @@ def test_a_sum_without_one_of_its_addends_is_refused() -> None:
     assert {line.split()[2].rstrip(":") for line in lines} == names
 
 
+run, first = Variables("classification", "run"), Variables("classification", "first")
+
 NEXT = {
-    "the balls keep their roles": {"s": state.v.s, "c": state.v.c},
-    "the ghost of the last speed is forgotten": {"u_0": state.v.u_0},
-    "the comparison sequence runs ahead": {"low": state.high_next},
-    "with the wrong sign": {"high": -state.high_next},
-    "with the wrong factor": {"high": state.a * state.v.high - 2 * state.r * state.v.low},
-    "the bend is not halved": {"b": (1 + state.r) * state.next_["C"]},
-    "the distance stays": {"D": state.v.D, "eta": state.v.eta},
+    "the balls keep their roles": {"s": run.s, "c": run.c},
+    "the ghost of the last speed is forgotten": {"u_0": run.u_0},
+    "the comparison sequence runs ahead": {"low": symbol("high_next")},
+    "with the wrong sign": {"high": -symbol("high_next")},
+    "with the wrong factor": {"high": first.a * run.high - 2 * first.r * run.low},
+    "the bend is not halved": {"b": (1 + first.r) * symbol("C_next")},
+    "the distance stays": {"D": run.D, "eta": run.eta},
 }
 
 
@@ -235,7 +238,7 @@ def test_a_wrong_next_state_is_refused(what: str) -> None:
     index = next(i for i, row in enumerate(rows) if row.name == "run-always")
     claim = rows[index].claim
     assert isinstance(claim, Always)
-    changed = {state.v.full(name): term for name, term in NEXT[what].items()}
+    changed = {run.full(name): term for name, term in NEXT[what].items()}
     wrong: Obligation = rows[index]._replace(
         claim=Always(claim.context, claim.start, {**claim.next, **changed})
     )
@@ -247,7 +250,7 @@ def test_a_wrong_next_state_is_refused(what: str) -> None:
 
 GIVENS = [
     given.name
-    for context in classification().statement.contexts
+    for context in STATEMENT.contexts
     for given in context.givens
     if context.name in ("flight", "limit", "speeds", "inward")
 ]

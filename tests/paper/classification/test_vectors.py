@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import random
+import re
 from fractions import Fraction
 from typing import Any
 
 import pytest
 
+from tests.pages import Variables, context, rows
 from tests.paper.step.states import BITS, checker, evaluate
+from verify.language.statement import Always
 from verify.language.terms import Claim
-from verify.paper.classification import collision, impulse
-from verify.paper.classification import run as state
-from verify.paper.classification.classification import classification
 from verify.prover import balls
 
 Vector = list[Any]
-CONTEXTS = {context.name: context for context in classification().statement.contexts}
+COLLISION, SPIN, RUN = (context("classification", name) for name in ("collision", "spin", "run"))
+run, first = Variables("classification", "run"), Variables("classification", "first")
 
 
 def dot(x: Vector, z: Vector) -> Any:
@@ -47,11 +48,8 @@ class Random:
 
 def rows_of(context: str) -> dict[str, Claim]:
     """The claims of the rows of a context."""
-    return {
-        row.name: row.claim
-        for row in classification().statement.obligations
-        if row.context == context and isinstance(row.claim, Claim)
-    }
+    found = rows("classification", context).items()
+    return {name: row.claim for name, row in found if isinstance(row.claim, Claim)}
 
 
 # --- a collision ---------------------------------------------------------------------------------
@@ -63,29 +61,29 @@ def collision_values(draw: Random) -> dict[str, Any]:
     v_i, v_j, v_k, x_i, p, q = (draw.vector() for _ in range(6))
     rho = -draw.number(0, 2)
     v_j = plus(v_j, e, rho - dot(e, plus(v_j, v_i, -1)))
-    n = collision.n
     known = {"e": e, "f": f, "g": g, "p": p, "q": q, "v_i": v_i, "v_j": v_j, "v_k": v_k, "x_i": x_i}
     values = {
-        n.full("m_i"): draw.number(0, 3),
-        n.full("m_j"): draw.number(0, 3),
-        n.full("sigma"): draw.number(0, 3),
-        n.full("rho"): rho,
-        n.full("rho_new"): -rho * draw.number(0, 1),
+        "collision.m_i": draw.number(0, 3),
+        "collision.m_j": draw.number(0, 3),
+        "collision.sigma": draw.number(0, 3),
+        "collision.rho": rho,
+        "collision.rho_new": -rho * draw.number(0, 1),
     }
-    for (first, second), term in collision.space.products.items():
-        if term.op == "symbol":
-            values[term.name] = dot(known[first], known[second])
+    for variable in COLLISION.variables:  # the letter says which product it is: e·v_i or |v_i|²
+        if match := re.fullmatch(r"(\w+)·(\w+)|\|(\w+)\|²", variable.letter):
+            x, z = match[1] or match[3], match[2] or match[3]
+            values[variable.name] = dot(known[x], known[z])
     return values
 
 
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_the_laws_of_a_collision_hold_for_vectors(dimension: int) -> None:
-    claims = rows_of(collision.CONTEXT)
+    claims = rows_of("collision")
     assert len(claims) > 8
     with balls.precision(BITS):
         values = collision_values(Random(0, dimension))
-        assert set(values) == {v.name for v in CONTEXTS[collision.CONTEXT].variables}
-        violated = checker([CONTEXTS[collision.CONTEXT]], claims, list(values))
+        assert set(values) == {v.name for v in COLLISION.variables}
+        violated = checker([COLLISION], claims, list(values))
         for seed in range(20):
             assert violated(collision_values(Random(seed, dimension))) == []
 
@@ -94,12 +92,12 @@ def test_a_wrong_law_of_a_collision_is_seen() -> None:
     """Nearly all claims are false with a minus sign on one side; the checker of vectors sees it."""
     wrong = {
         name: Claim(claim.relation, claim.lhs, -claim.rhs)
-        for name, claim in rows_of(collision.CONTEXT).items()
+        for name, claim in rows_of("collision").items()
         if claim.relation == "="
     }
     with balls.precision(BITS):
         values = collision_values(Random(1, 3))
-        violated = checker([CONTEXTS[collision.CONTEXT]], wrong, list(values))
+        violated = checker([COLLISION], wrong, list(values))
         assert set(violated(values)) == set(wrong)
 
 
@@ -109,10 +107,10 @@ def test_a_wrong_law_of_a_collision_is_seen() -> None:
 @pytest.mark.parametrize("dimension", [2, 3, 5])
 def test_the_angular_momentum_is_bounded_in_any_dimension(dimension: int) -> None:
     """|L|² is the sum over all planes, as the criteria for scenes have it, and at most R²e²."""
-    claims = rows_of(impulse.s.context)
-    names = [variable.name for variable in CONTEXTS[impulse.s.context].variables]
+    claims = rows_of("spin")
+    names = [variable.name for variable in SPIN.variables]
     with balls.precision(BITS):
-        violated = checker([CONTEXTS[impulse.s.context]], claims, names)
+        violated = checker([SPIN], claims, names)
         for seed in range(20):
             draw = Random(seed, dimension)
             bodies = [(draw.number(0, 3), draw.vector(), draw.vector()) for _ in range(3)]
@@ -189,29 +187,29 @@ def with_ghosts(values: dict[str, Any], r: Any, a: Any) -> dict[str, Any]:
         "low": -1 / r,
         "high": balls.from_fraction(Fraction(0)),
     }
-    found = {state.v.full(name): value for name, value in (values | ghosts).items()}
-    return found | {state.first.full("r"): r, state.first.full("a"): a}
+    found = {run.full(name): value for name, value in (values | ghosts).items()}
+    return found | {first.full("r"): r, first.full("a"): a}
 
 
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_the_next_state_is_that_of_the_vectors(dimension: int) -> None:
-    claims = rows_of(state.v.context)
+    claims = rows_of("run")
     assert len(claims) > 8
     followed = 0
     with balls.precision(BITS):
         for seed in range(20):
             draw = Random(seed, dimension)
             r, a = draw.number(0, 1), draw.number(0, 1)
-            run = Run(draw, r)
-            before = with_ghosts(run.values(), r, a)
-            violated = checker([CONTEXTS[state.v.context]], claims, list(before))
-            terms = {"meets": state.discriminant(state.v)}
+            balls_of = Run(draw, r)
+            before = with_ghosts(balls_of.values(), r, a)
+            violated = checker([RUN], claims, list(before))
+            terms = {"meets": next(g.claim.rhs for g in RUN.givens if g.name == "run-meets")}
             if not evaluate(terms, before)["meets"] > 0:
                 continue
             followed += 1
             assert violated(before) == []
-            run.collide()
-            after = run.values()
+            balls_of.collide()
+            after = balls_of.values()
             for name, value in next_state(before).items():
                 assert abs(value - after[name]) < balls.from_fraction(Fraction(1, 10**100)), name
     assert followed > 10
@@ -219,12 +217,13 @@ def test_the_next_state_is_that_of_the_vectors(dimension: int) -> None:
 
 def next_state(before: dict[str, Any]) -> dict[str, Any]:
     """The numbers of the next state, by the definitions of the context."""
-    known = dict(before)
-    for constant in CONTEXTS[state.v.context].constants:
+    known, claim = dict(before), rows("classification")["run-always"].claim
+    assert isinstance(claim, Always)
+    for constant in RUN.constants:
         known[constant.name] = evaluate({"x": constant.term}, known)["x"]
     terms = {
         name.partition(".")[2]: term
-        for name, term in state.following().items()
+        for name, term in claim.next.items()
         if name.partition(".")[2] not in ("b", "u_0", "low", "high")
     }
     return evaluate(terms, known)

@@ -8,6 +8,7 @@ import pytest
 
 from verify.paper.commands import everywhere, index, spectrum, step
 from verify.paper.commands.index import near, written
+from verify.paper.commands.pages import content, names, page
 from verify.paper.commands.place import ROOT
 from verify.paper.commands.places import places
 from verify.paper.theorem1 import theorem
@@ -26,15 +27,27 @@ def test_a_place_is_where_the_row_is_written() -> None:
     for name in (
         "repaired.init-Cnd4",
         "repaired.set-x_0",
-        "next-d-one",
-        "next-d-small",
         "matrix-stated",
         "angle-as-printed",
     ):
-        (place,) = (p for p in written(name) if p.part in ("", "step", "spectrum"))
+        (place,) = (p for p in written(name) if p.part in ("", "spectrum"))
         lines = Path(ROOT, place.path).read_text(encoding="utf-8").splitlines()
         near_by = "\n".join(lines[place.line - 2 : place.line + 6])
         assert f'{name.rpartition(".")[2]}"' in near_by, name
+
+
+@pytest.mark.parametrize("name", names())
+def test_a_name_of_a_page_is_where_its_line_begins(name: str) -> None:
+    """Rows and lemmas begin a line; what is given stands there by its name or its number."""
+    lines = content(name).decode().splitlines()
+    found = [place for place in places() if place.path == f"verify/paper/{name}.toml"]
+    rows = page(name).statement.obligations
+    assert len(found) > len(rows) > 5
+    assert {row.name for row in rows} <= {place.name for place in found}
+    for place in found:
+        written = lines[place.line - 1].partition("=")[0].strip().strip('"').lstrip(".")
+        ends = (place.name, place.name.rpartition(".")[2])
+        assert written.partition(".")[0] in ends or written in ends, place
 
 
 def test_a_row_of_a_table_has_a_line_of_its_own() -> None:

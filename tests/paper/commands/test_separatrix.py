@@ -16,8 +16,8 @@ from verify.language.argument import Chapter, Line
 from verify.language.statement import PROVED, Applies
 from verify.language.terms import Claim
 from verify.paper.commands import separatrix
+from verify.paper.commands.pages import argument
 from verify.paper.commands.regenerate import is_right_statement
-from verify.paper.separatrix.theorem import separatrix as theorem
 from verify.prover.arguments import write_down
 from verify.spheres.limit_map import Parameters
 from verify.spheres.separatrix import decide_separatrix as enclose
@@ -50,7 +50,7 @@ def test_the_theorem_is_proved() -> None:
 
 def test_every_row_is_sharp_enough_to_be_refused() -> None:
     """With a little more on the smaller side no row is shown by its proof."""
-    honest = theorem()
+    honest = argument("separatrix")
 
     def larger(claim: Claim) -> Claim:
         return Claim(claim.relation, claim.lhs + F(1, 10**9), claim.rhs)

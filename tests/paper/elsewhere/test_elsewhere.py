@@ -8,16 +8,28 @@ from functools import cache
 
 import pytest
 
+from tests.pages import Variables, context, headings, rows
 from tests.paper.elsewhere.values import holds, value, with_constants
 from verify import check
-from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Obligation
+from verify.language.argument import ByWitness, Line
+from verify.language.statement import (
+    BREAKS,
+    HARMLESS,
+    NEEDED,
+    OTHERWISE,
+    PRINTED,
+    PROVED,
+    REFUTED,
+    REMARK,
+    SEVERITIES,
+    SLIP,
+    Obligation,
+)
 from verify.language.terms import Claim, Term, as_term, names_of, substitute, substitute_claim
 from verify.paper.commands.elsewhere import decide_elsewhere
+from verify.paper.commands.pages import page
 from verify.paper.commands.places import places
 from verify.paper.commands.regenerate import is_right_statement
-from verify.paper.elsewhere import aligned, mapping, nearly
-from verify.paper.elsewhere.elsewhere import SECTIONS, elsewhere, refutations
-from verify.paper.rows import BREAKS, HARMLESS, OTHERWISE, REMARK, SEVERITIES, SLIP
 from verify.paper.source import printed_numbers
 from verify.prover.outcome import Outcome
 from verify.prover.proof import LemmaStep, ObligationStep
@@ -26,9 +38,16 @@ from verify.views.words import fair
 from verify.wire.read import read
 from verify.wire.write import write
 
-WRONG = {found.row.name: found for found in refutations()}
-ROWS = {row.name: row for row in elsewhere().statement.obligations}
-CONTEXTS = {context.name: context for context in elsewhere().statement.contexts}
+PAGE = "sections_1_to_4"
+#: The points at which misprints are false.
+WRONG = {
+    item.name: item.reason.at
+    for chapter in page(PAGE).chapters
+    for item in chapter.items
+    if isinstance(item, Line) and isinstance(item.reason, ByWitness)
+}
+ROWS = rows(PAGE)
+CONTEXTS = {context.name: context for context in page(PAGE).statement.contexts}
 
 
 def report(outcome: Outcome) -> check.Report:
@@ -53,16 +72,17 @@ def test_the_checker_accepts_every_row() -> None:
 
 
 def test_each_part_has_rows() -> None:
-    assert {row.group for row in ROWS.values()} == set(SECTIONS)
+    assert len(headings(PAGE)) == 10
+    assert "" not in headings(PAGE)
 
 
 def test_labels_are_those_of_the_paper_and_every_row_has_a_place() -> None:
     assert {row.label for row in ROWS.values()} <= set(printed_numbers())
-    assert set(ROWS) <= {place.name for place in places() if place.part == "elsewhere"}
+    assert set(ROWS) <= {place.name for place in places() if place.part == PAGE}
 
 
 def test_glue_names_rows_that_are_there() -> None:
-    for assumption in elsewhere().statement.assumptions:
+    for assumption in page(PAGE).statement.assumptions:
         if assumption.kind == "numbered glue":
             named = {word.strip(".,;:()") for word in assumption.sentence.split()} & set(ROWS)
             assert len(named) > 3
@@ -73,7 +93,7 @@ def test_glue_names_rows_that_are_there() -> None:
 
 @pytest.mark.parametrize("name", WRONG)
 def test_a_misprint_is_false_at_its_point(name: str) -> None:
-    row, at = WRONG[name].row, dict(WRONG[name].at)
+    row, at = ROWS[name], dict(WRONG[name])
     context = CONTEXTS[str(row.context)]
     assert set(at) == {variable.name for variable in context.variables}
     known = with_constants(context, at)
@@ -93,10 +113,10 @@ def test_a_misprint_is_corrected_by_a_row_that_is_proved(name: str) -> None:
 def test_a_correction_holds_where_the_misprint_does_not() -> None:
     """Where both are about the same numbers; the others are in a context of their own."""
     seen = 0
-    for name, found in WRONG.items():
+    for name, at in WRONG.items():
         row = ROWS[str(ROWS[name].corrected_by)]
-        if row.context == found.row.context and isinstance(row.claim, Claim):
-            known = with_constants(CONTEXTS[str(row.context)], dict(found.at))
+        if row.context == ROWS[name].context and isinstance(row.claim, Claim):
+            known = with_constants(CONTEXTS[str(row.context)], dict(at))
             assert holds(row.claim, known), name
             seen += 1
     assert seen > 8
@@ -176,29 +196,31 @@ def test_the_orbit_on_the_line_is_that_of_the_mapping() -> None:
     assert time < Fraction(16, 11)
 
 
-def test_the_line_satisfies_what_the_mapping_assumes() -> None:
-    for claim in mapping.givens().values():
-        on_line = Claim(
-            claim.relation, aligned.on_the_line(claim.lhs), aligned.on_the_line(claim.rhs)
-        )
-        assert holds(on_line, dict(aligned.START))
+@pytest.mark.parametrize("n", range(5))
+def test_the_line_satisfies_what_the_mapping_assumes(n: int) -> None:
+    """Balls 1 and 2 are on opposite sides of 0, and vectors on the line are numbers."""
+    y, d = Fraction(2, 5) ** n, Fraction(1, 8) ** n
+    omega_1, omega_2, W_1, W_2, r = 1, -1, y / 8, y, Fraction(1, 20)
+    at = Variables(PAGE, "map").at(
+        r=r, d=d, y=y, eta=omega_1 * W_1, cos=omega_1 * omega_2, a=omega_1 * W_2, b=omega_2 * W_1,
+        A=W_2**2, B=W_1**2, w=W_1 * W_2, S=1 / (1 + d), tau=d / y, D=1 + d / 8, p_1=0, p_2=0,
+        q_1=0, q_2=0,
+    )  # fmt: skip
+    assert [g.name for g in context(PAGE, "map").givens if not holds(g.claim, at)] == []
 
 
 def test_the_energy_bound_is_missed_by_far() -> None:
     """The left side of the misprint exceeds the right one; four times the energy suffices."""
-    at = dict(WRONG["change-bound"].at)
-    claim = WRONG["change-bound"].row.claim
+    at, claim = dict(WRONG["change-bound"]), ROWS["change-bound"].claim
     assert isinstance(claim, Claim)
     assert value(claim.lhs, at) > 2 * value(claim.rhs, at)
-    (speed,) = {value(nearly.inner(nearly.W_1, nearly.W_1), at)}
-    energy = sum(value(v**2, at) for v in _velocities()) / 2
+    a_x, a_y, b_x, b_y, c_x, c_y = (
+        value(at[f"plane.{name}"], {}) for name in ("a_x", "a_y", "b_x", "b_y", "c_x", "c_y")
+    )
+    speed = (b_x - a_x) ** 2 + (b_y - a_y) ** 2
+    energy = (a_x**2 + a_y**2 + b_x**2 + b_y**2 + c_x**2 + c_y**2) / 2
     assert 3 * energy <= speed * Fraction(1001, 1000)
     assert speed <= 4 * energy
-
-
-def _velocities() -> Iterator[Term]:
-    p = nearly.p
-    yield from (p.a_x, p.a_y, p.b_x, p.b_y, p.c_x, p.c_y)
 
 
 # --- what is refused ------------------------------------------------------------------------------
@@ -290,8 +312,8 @@ def test_a_sum_without_one_of_its_addends_is_refused() -> None:
 
 def test_a_substituted_claim_is_the_claim_at_the_point() -> None:
     """The helper of these tests evaluates as the program substitutes."""
-    for found in WRONG.values():
-        claim = found.row.claim
+    for name, at in WRONG.items():
+        claim = ROWS[name].claim
         assert isinstance(claim, Claim)
-        if not CONTEXTS[str(found.row.context)].constants:
-            assert holds(substitute_claim(claim, found.at), {}) is holds(claim, dict(found.at))
+        if not CONTEXTS[str(ROWS[name].context)].constants:
+            assert holds(substitute_claim(claim, at), {}) is holds(claim, dict(at))

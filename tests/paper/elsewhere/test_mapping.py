@@ -12,22 +12,16 @@ from functools import cache
 
 import pytest
 
+from tests.pages import Variables, claim, context, rows
 from tests.paper.elsewhere.values import holds, value, with_constants
 from verify.language.statement import NEEDED
 from verify.language.terms import Claim, Term
-from verify.language.vectors import scale
-from verify.paper.elsewhere import mapping
-from verify.paper.elsewhere.elsewhere import elsewhere
-from verify.paper.letters import minus
 
 Vector = tuple[Fraction, Fraction, Fraction]
 SEEDS = range(25)
-(CONTEXT,) = [c for c in elsewhere().statement.contexts if c.name == mapping.n.context]
-ROWS = [
-    row
-    for row in elsewhere().statement.obligations
-    if row.context == mapping.n.context and row.role == NEEDED
-]
+PAGE = "sections_1_to_4"
+CONTEXT, MAP = context(PAGE, "map"), Variables(PAGE, "map")
+ROWS = [row for row in rows(PAGE, "map").values() if row.role == NEEDED]
 
 
 def dot(x: Vector, z: Vector) -> Fraction:
@@ -70,7 +64,7 @@ class Drawn:
 
     def numbers(self) -> dict[str, Term]:
         y, hit = -dot(self.W_2, self.o_2), dot(self.W_2, self.new_2)
-        return mapping.n.at(
+        return MAP.at(
             r=self.r,
             d=self.d,
             y=y,
@@ -127,12 +121,12 @@ def test_the_collision_is_that_of_three_velocities(seed: int) -> None:
     left_1 = along(W_1, -dot(W_1, s.new_1), s.new_1)
     left_2 = along(W_2, -dot(W_2, s.new_2), s.new_2)
     known = with_constants(CONTEXT, s.numbers())
-    m = mapping
-    for term, expected in (
-        (m.dot(m.speed_1, m.new_1), dot(W_1, s.new_1)),
-        (m.dot(m.speed_2, m.new_2), dot(W_2, s.new_2)),
-        (m.dot(m.p, m.rest_1()), dot(s.p, left_1)),
-        (m.dot(m.p, minus(m.W_2, scale(m.kappa, m.new_2))), dot(s.p, left_2)),
-        (m.c, dot(s.new_1, s.new_2)),
+    for name, expected in (
+        ("normal-1", dot(W_1, s.new_1)),
+        ("normal-2", dot(W_2, s.new_2)),
+        ("tangential-1", dot(s.p, left_1)),
+        ("tangential-2", dot(s.p, left_2)),
     ):
-        assert value(term, known) == expected
+        found = claim(PAGE, name)
+        assert value(found.lhs, known) == value(found.rhs, known) == expected
+    assert value(known["map-c"], {}) == dot(s.new_1, s.new_2)

@@ -11,8 +11,8 @@ from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import as_term
 from verify.paper.commands.everywhere import decide_printed_everywhere
 from verify.paper.commands.theorem1 import decide_point
+from verify.paper.commands.thresholds import STRIPS
 from verify.paper.everywhere.angle_display import ROW
-from verify.paper.everywhere.thresholds import STRIPS
 from verify.paper.parameters import PRINTED
 from verify.wire.read import read
 from verify.wire.write import write

@@ -9,20 +9,23 @@ from fractions import Fraction
 import pytest
 
 from verify import check
+from verify.cli import main
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term
-from verify.paper.commands.thresholds import decide_thresholds, gap, shares
-from verify.paper.everywhere import thresholds as paper
-from verify.paper.everywhere.chart import CONTEXT
+from verify.paper.commands import pages
+from verify.paper.commands import thresholds as paper
+from verify.paper.commands.thresholds import shares
 from verify.paper.parameters import PRINTED
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.balls import BallArithmetic
-from verify.prover.outcome import Decision, Outcome
+from verify.prover.outcome import Decision
 from verify.prover.program import Machine, Program
 from verify.prover.proof import LemmaStep
 from verify.prover.relations import fails, holds
+from verify.views.everywhere import LEFT_OPEN, Outcome
 from verify.wire.read import read
+from verify.wire.text.read_page import read_page
 from verify.wire.write import write
 
 
@@ -32,7 +35,7 @@ def report(outcome: Outcome) -> check.Report:
 
 
 def test_it_is_proved_and_small() -> None:
-    outcome = decide_thresholds()
+    outcome = pages.decide("thresholds")
     files = write(outcome)
     assert outcome.verdict == PROVED
     assert report(outcome).verdict == "PROVED"
@@ -41,7 +44,7 @@ def test_it_is_proved_and_small() -> None:
 
 
 def test_every_strip_is_a_row_of_the_statement() -> None:
-    names = {row.name for row in decide_thresholds().statement.obligations}
+    names = {row.name for row in pages.decide("thresholds").statement.obligations}
     assert {strip.by for strip in paper.STRIPS} <= names
     for strip in paper.STRIPS:
         assert strip.low < strip.high
@@ -49,14 +52,22 @@ def test_every_strip_is_a_row_of_the_statement() -> None:
 
 def test_little_is_undecided() -> None:
     for row in dict.fromkeys(strip.row for strip in paper.STRIPS):
-        found = shares(row, decide_thresholds())
+        found = dict(shares(row, pages.decide("thresholds")))
         assert found[UNDECIDED][1] < Fraction(1, 10000)
+        low, high = found.pop(LEFT_OPEN, (Fraction(0), Fraction(0)))
+        assert high - low <= paper.STRIP
+        assert (low, high) == (Fraction(0), Fraction(0)) or high == paper.DRIFT_ENDS
         assert sum(low for low, _ in found.values()) <= 1 <= sum(high for _, high in found.values())
-        assert gap(s for s in paper.STRIPS if s.row == row) <= paper.STRIP
+
+
+def test_what_is_left_open_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["theorem1", "--all", "--constants", "printed"]) == 1
+    said = " ".join(capsys.readouterr().out.split())
+    assert "nothing is proved where 5/33 - 10⁻⁵ ≤ φ⁺ < 5/33" in said
 
 
 def test_the_share_of_a_strip_that_is_not_proved_is_undecided() -> None:
-    outcome = decide_thresholds()
+    outcome = pages.decide("thresholds")
     lost = {**outcome.decisions, "angle-absorbed.fails": Decision(UNDECIDED)}
     before = shares("angle-absorbed", outcome)
     found = shares("angle-absorbed", outcome._replace(decisions=lost))
@@ -81,7 +92,8 @@ def points() -> Iterator[tuple[Fraction, tuple[Fraction, ...]]]:
 
 def test_at_the_threshold_itself_the_row_holds() -> None:
     """There both sides may be equal; the statement says so of all values from 1/22 on."""
-    rows = (*decide_thresholds().statement.obligations, *theorem().parts[PRINTED].obligations)
+    known_rows = pages.statement("thresholds").obligations
+    rows = (*known_rows, *theorem().parts[PRINTED].obligations)
     claims = {row.name: row.claim for row in rows}
     known, printed = claims["x-term-1-d.holds"], claims[f"{PRINTED}.x-term-1-d"]
     assert isinstance(known, Claim)
@@ -100,7 +112,7 @@ def test_at_the_threshold_itself_the_row_holds() -> None:
 
 def machine(terms: list[Term]) -> tuple[Machine, list[int]]:
     program = Program(("r", "c", "V_0", "delta_theta"))
-    for constant in decide_thresholds().statement.contexts[0].constants:
+    for constant in pages.decide("thresholds").statement.contexts[0].constants:
         program.define(constant.name, constant.term)
     return Machine(program, BallArithmetic()), [program.add(term) for term in terms]
 
@@ -127,12 +139,12 @@ def test_the_strips_tell_the_verdicts_of_the_printed_rows() -> None:
 def test_every_fact_holds_at_random_parameters() -> None:
     claims = {
         item.name: item.claim
-        for item in decide_thresholds().steps
-        if isinstance(item, LemmaStep) and item.context == CONTEXT
+        for item in pages.decide("thresholds").steps
+        if isinstance(item, LemmaStep) and item.context is not None
     }
     claims |= {
         row.name: row.claim
-        for row in decide_thresholds().statement.obligations
+        for row in pages.decide("thresholds").statement.obligations
         if isinstance(row.claim, Claim)
     }
     chosen = random.Random(11)
@@ -148,21 +160,20 @@ def test_every_fact_holds_at_random_parameters() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "value"),
+    ("old", "new", "rows"),
     [
-        ("DRIFT_ENDS", Fraction(5, 33) + Fraction(1, 5000)),
-        ("DRIFT_ENDS", Fraction(5, 33) - Fraction(1, 5000)),
-        ("SLOPE_STARTS", Fraction(1, 23)),
-        ("TINY", Fraction(1, 10**6)),
-        ("FINAL_MOST", Fraction(1, 40)),
+        ("5/33 - p", "(5/33 - 1/5000) - p", 2),
+        ("p - 499967/3300000", "p - (499967/3300000 + 1/5000)", 2),
+        ("4*(h_4*printed.delta_x/8)", "(88/23)*(h_4*printed.delta_x/8)", 1),
+        ("28.00033", "28.000001", 1),
+        ("1/37", "1/40", 1),
     ],
 )
-def test_other_thresholds_are_refused(
-    name: str, value: Fraction, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_other_thresholds_are_refused(old: str, new: str, rows: int) -> None:
     """The same proofs do not prove rows with another number in the place of a threshold."""
-    outcome = decide_thresholds()
-    monkeypatch.setattr(paper, name, value)
-    changed = paper.statement()
-    assert changed != outcome.statement
+    outcome = pages.decide("thresholds")
+    text = pages.content("thresholds").decode()
+    changed = read_page("thresholds.toml", text.replace(old, new).encode()).statement
+    pairs = zip(outcome.statement.obligations, changed.obligations, strict=True)
+    assert sum(one.claim != other.claim for one, other in pairs) >= rows
     assert report(outcome._replace(statement=changed)).verdict == "REFUSED"

@@ -11,12 +11,15 @@ from flint import arb
 from tests.paper.sandwich.states import Random, Values, start_of
 from tests.paper.sharper.particles import Particles
 from verify.language.terms import Claim, Term
-from verify.paper.outside.state import GIVENS
-from verify.paper.sandwich.comparison import floor, step
+from verify.paper.commands.pages import page
 from verify.prover import balls
 from verify.prover.choose import round_to_digits
 from verify.spheres.flow.collapse import Start
 from verify.spheres.flow.sandwich import above
+
+ABOVE = page("sandwich_above").statement
+GIVENS = ABOVE.context("start").claims
+FLOOR = ABOVE.context("floor").claims
 
 #: No floor has more steps.
 STEPS = 60
@@ -66,10 +69,9 @@ def step_at(at: Values, n: int, here: Point) -> tuple[arb, arb, arb]:
     """P, the load and r (1-U), at the n-th step from a point."""
     v_s, w_c = (at["v_0"], at["w_1"]) if n % 2 else (at["v_1"], at["w_0"])
     Q, U = map(balls.exact, here)
-    names = {"a": (1 + at["r"]) / 2 * at["G"] * at["C_p"], "rho": (v_s / w_c) ** 2, "R": at["r"]}
-    terms = step(*(Term("symbol", x) for x in ("a", "rho", "R", "Q", "U")))
-    known = {**names, "Q": Q, "U": U}
-    return value(terms.P, known), value(terms.load, known), at["r"] * (1 - U)
+    push = (v_s / w_c) ** 2 * U
+    P = (1 + at["r"]) / 2 * at["G"] * at["C_p"] * (1 - U) - Q - push
+    return P, push * (2 * Q + push), at["r"] * (1 - U)
 
 
 def ends(at: Values, n: int, here: Point) -> bool:
@@ -81,14 +83,14 @@ def ends(at: Values, n: int, here: Point) -> bool:
 def fails(at: Values, points: tuple[Point, ...]) -> list[str]:
     """The hypotheses that are not certain."""
     found = [name for name, claim in GIVENS.items() if not holds(claim, at)]
-    steps = [given for given in floor().givens if "rises" in given.name or "next" in given.name]
+    steps = {name: claim for name, claim in FLOOR.items() if "rises" in name or "next" in name}
     for n, (here, following) in enumerate(pairwise(points)):
         v_s, w_c = (at["v_0"], at["w_1"]) if n % 2 else (at["v_1"], at["w_0"])
         named = dict(zip(("Q_n", "U_n", "Q_next", "U_next"), (*here, *following), strict=True))
         known = {f"floor.{name}": balls.exact(x) for name, x in named.items()}
         known |= {"floor.alpha": (1 + at["r"]) / 2 * at["G"] * at["C_p"], "floor.R": at["r"]}
         known["floor.rho"] = (v_s / w_c) ** 2
-        found += [given.name for given in steps if not holds(given.claim, known)]
+        found += [name for name, claim in steps.items() if not holds(claim, known)]
     return [*found, *([] if ends(at, len(points) - 1, points[-1]) else ["end"])]
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import random
-from collections.abc import Callable
 from fractions import Fraction
 
 import pytest
@@ -15,15 +14,12 @@ from tests.paper.sharper.particles import Particles, Vector, combine, dot
 from verify.cli import main
 from verify.language.errors import OwnError
 from verify.language.statement import PROVED, REFUTED
-from verify.language.terms import Claim, as_term
+from verify.language.terms import Claim, as_term, substitute_claim, symbol
+from verify.paper.commands import pages
 from verify.paper.commands.citing import as_printed
-from verify.paper.commands.printed_set import decide_printed_set, decide_printed_sign
 from verify.paper.commands.theorem1 import decide_point
-from verify.paper.printed_set import numbers, sign
-from verify.paper.step.initial import CONTEXT
-from verify.prover.outcome import Outcome
 from verify.wire.judge import report_on
-from verify.wire.packaged import PACKAGED_FILES, PRINTED_SET, PRINTED_SIGN, packaged_files
+from verify.wire.packaged import PACKAGED_FILES, PRINTED_SET, packaged_files
 from verify.wire.write import write
 
 #: Orbits in a run; PRINTED_ORBITS chooses more.
@@ -32,15 +28,15 @@ COLLISIONS, BITS = 12, 2000
 
 
 def test_both_statements_are_proved() -> None:
-    for outcome in (decide_printed_set(), decide_printed_sign()):
+    for outcome in (pages.decide("printed_set"), pages.decide("printed_sign")):
         assert outcome.verdict == PROVED
         assert report_on(outcome).verdict == "PROVED"
 
 
 def test_the_set_is_the_printed_one() -> None:
-    statement = decide_printed_set().statement
+    statement = pages.decide("printed_set").statement
     (row,) = (row for row in statement.obligations if row.name == "collapse")
-    assert row.context == CONTEXT
+    assert row.context == "initial"
     names = {constant.name for context in statement.contexts for constant in context.constants}
     assert not any(name.startswith("repaired") for name in names)
     assert [given.name for given in statement.contexts[0].givens] == [
@@ -54,14 +50,28 @@ def test_the_set_is_the_printed_one() -> None:
     ]
 
 
+def test_the_set_is_that_of_the_step() -> None:
+    """But for the printed constants, and the room for the angle, which an interior needs."""
+    own = ("V_1", *(f"printed.{name}" for name in ("eta_bar", "x_0", "d_const", "d_slope")))
+    meaning = {name.removeprefix("printed."): symbol(name) for name in own}
+    initial = pages.statement("step").context("initial").claims
+    known = {name: substitute_claim(claim, meaning) for name, claim in initial.items()}
+    found = pages.statement("printed_set").context("initial").claims
+    assert found.keys() == known.keys() | {"start-C-upper", "start-C-lower"}
+    angle = {"start-C-upper", "start-C-lower"}
+    assert {n: c for n, c in found.items() if n not in angle} == {
+        n: c for n, c in known.items() if n not in angle
+    }
+
+
 def test_a_wider_set_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     """With twice the room for d, or for the angle, the same certificate proves nothing."""
-    outcome = decide_printed_set()
+    outcome = pages.decide("printed_set")
     for name, wider in (
         ("start-d-slope", lambda c: Claim(c.relation, c.lhs, 2 * c.rhs)),
         ("start-C-upper", lambda c: Claim(c.relation, c.lhs, 2 * c.rhs)),
         ("start-x-upper", lambda c: Claim(c.relation, c.lhs, 2 * c.rhs)),
-        ("start-A-below", lambda c: Claim(c.relation, c.lhs, c.rhs + (numbers.k.V_1 - 0) / 9)),
+        ("start-A-below", lambda c: Claim(c.relation, c.lhs, c.rhs + (symbol("V_1") - 0) / 9)),
     ):
         around, inner = outcome.statement.contexts
         givens = tuple(
@@ -74,7 +84,8 @@ def test_a_wider_set_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_the_sign_is_false_at_the_point() -> None:
-    r, c, delta = (Fraction(text) for text in sign.POINT.values())
+    point = pages.statement("printed_sign").context("excluded").point
+    r, c, delta = (point[name].value for name in ("r", "c", "delta_theta"))
     half = (1 + r) / 2 * c
     assert r**2 - 18 * r + 1 > 0
     assert half**3 < 3 * r * half + r * (1 + r)
@@ -82,7 +93,10 @@ def test_the_sign_is_false_at_the_point() -> None:
 
 
 def test_certificates_cite_what_they_rest_on() -> None:
-    for outcome, cited in ((decide_printed_set(), "sharper"), (decide_printed_sign(), "class")):
+    for outcome, cited in (
+        (pages.decide("printed_set"), "sharper"),
+        (pages.decide("printed_sign"), "class"),
+    ):
         assert [cite.name.startswith(cited) for cite in outcome.statement.cites] == [True]
         assert any(name.startswith("cited/") for name in write(outcome))
 
@@ -237,17 +251,6 @@ def test_an_orbit_of_the_set(seed: int) -> None:
 # --- what is said ---------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("name", "decide"), [(PRINTED_SET, decide_printed_set), (PRINTED_SIGN, decide_printed_sign)]
-)
-def test_what_comes_with_the_program_is_what_it_makes(
-    name: str, decide: Callable[[], Outcome]
-) -> None:
-    """If not: verify certify, then python -m tests.bring."""
-    files = write(decide())
-    assert packaged_files(name) == (files["statement.json"], files["certificate.json"])
-
-
 def test_an_altered_file_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     packaged_files.cache_clear()
     lies = {"statement.json": "0" * 64, "certificate.json": "0" * 64}
@@ -271,7 +274,7 @@ def test_the_first_screen_answers_three_questions(
     lines = capsys.readouterr().out.splitlines()[:24]
     assert max(map(len, lines)) <= 80
     first = " ".join(line.strip() for line in lines)
-    assert "Theorem 1 as printed, with < in (4.10): refuted" in first
+    assert "Theorem 1 as printed, misprint < in (4.10): refuted" in first
     assert "Its set as printed, with > for <: proved" in first
     assert "The printed argument for it: refuted Refuted steps that break it" in first
     for name in ("set-interior", "zeta-x-bound", "zeta-term-2", "zeta-remainders", "zeta-total"):
@@ -288,7 +291,7 @@ def test_a_referee_reads_the_verdicts(capsys: pytest.CaptureFixture[str]) -> Non
         code = main(["theorem1", *line.split()])
         said[line] = capsys.readouterr().out
         assert code == (1 if "printed" in line else 0)
-        assert "Theorem 1 as printed, with < in (4.10): refuted" in said[line]
+        assert "Theorem 1 as printed, misprint < in (4.10): refuted" in said[line]
         assert "Its set as printed, with > for <: proved" in said[line]
     last = " ".join(said["--all --constants printed"].partition("Verdict: ")[2].split())
     assert last.startswith("refuted: the printed argument, for all parameters")

@@ -10,13 +10,15 @@ from typing import Any, NamedTuple
 from flint import arb
 
 from tests.paper.sharper.particles import Particles, Vector, combine, dot
-from verify.language.statement import Context
 from verify.language.terms import Claim, Term
-from verify.paper.sandwich.comparison import stair
-from verify.paper.sandwich.state import GIVENS
+from verify.paper.commands.pages import page
 from verify.prover import balls
 from verify.spheres.flow.collapse import Start
 from verify.spheres.flow.sandwich import Stair, numbers_of, search
+
+BELOW = page("sandwich_below").statement
+GIVENS = BELOW.context("start").claims
+STAIR = BELOW.context("stair").claims
 
 #: Exact rational numbers, and balls for the state.
 Values = dict[str, Any]
@@ -75,7 +77,6 @@ def values_of(found: Stair, unit: Fraction, start: Start) -> Values:
 def fails(at: Values, points: tuple[tuple[Fraction, Fraction], ...]) -> list[str]:
     """The hypotheses that are not certain."""
     found = [name for name, claim in GIVENS.items() if not holds(claim, at)]
-    here: Context = stair()
     half = (1 + at["r"]) / 2
     for n, ((Q, U), (Q_next, U_next)) in enumerate(pairwise(points)):
         w_c, w_s = (at["w_1"], at["w_0"]) if n % 2 else (at["w_0"], at["w_1"])
@@ -84,7 +85,7 @@ def fails(at: Values, points: tuple[tuple[Fraction, Fraction], ...]) -> list[str
         step |= {"alpha": half * (at["C_0"] - at["Theta"]), "rho": at["G"] * (w_s / w_c) ** 2}
         step |= {"R": at["r"] * at["G"], "U_b": at["U_b"]}
         named = {f"stair.{name}": x for name, x in step.items()}
-        found += [given.name for given in here.givens if not holds(given.claim, named)]
+        found += [name for name, claim in STAIR.items() if not holds(claim, named)]
     if points[-1][0] > points[-3][0] or points[-1][1] > points[-3][1]:
         found.append("period")
     return found

@@ -8,16 +8,14 @@ from functools import cache
 import pytest
 from flint import arb
 
-from tests.paper.changing import answer, but, changed, report, without
+from tests.paper.changing import answer, but, changed, claim_of, report, standing, without
 from tests.paper.sharper.particles import Particles, dot
 from tests.paper.sharper.states import Numbers, Random
 from verify import check
 from verify.language.statement import NEEDED, PROVED, Applies, Cite, Context, Obligation, Statement
 from verify.language.terms import Claim, Term, as_term, sqrt
 from verify.paper.commands.collapse import decide_sharper
-from verify.paper.dynamics.carried import START
-from verify.paper.sharper import state
-from verify.paper.sharper.sharper import sharper
+from verify.paper.commands.pages import page
 from verify.prover import balls
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Step
@@ -25,6 +23,11 @@ from verify.prover.rules import Applying, Interval, Sum
 from verify.wire.read import read
 from verify.wire.write import write
 
+SHARPER = page("sharper").statement
+START = SHARPER.context("start")
+GIVENS = START.claims
+#: What is asked of the numbers alone.
+ROOM = [claim for name, claim in GIVENS.items() if not name.startswith("start-")]
 BITS = 4000
 COLLISIONS = 40
 
@@ -44,8 +47,8 @@ def test_what_is_assumed() -> None:
 
 
 def test_glue_names_rows_that_are_there() -> None:
-    rows = {row.name for row in sharper().statement.obligations}
-    rows |= {given.name for context in sharper().statement.contexts for given in context.givens}
+    rows = {row.name for row in SHARPER.obligations}
+    rows |= {given.name for context in SHARPER.contexts for given in context.givens}
     lemmas = {step.name for step in decide_sharper().steps if isinstance(step, LemmaStep)}
     named = {
         word.strip(".,:")
@@ -60,20 +63,20 @@ def test_glue_names_rows_that_are_there() -> None:
 
 def test_the_point_is_inside() -> None:
     """No given is sharp at the point: the theorem is about a set with an interior."""
-    point = {name: term.value for name, term in state.start_context().point.items()}
-    for name, claim in state.GIVENS.items():
+    point = {name: term.value for name, term in START.point.items()}
+    for name, claim in GIVENS.items():
         assert value(claim.lhs, point) < value(claim.rhs, point), name
 
 
 # --- what is refused -----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", state.GIVENS)
+@pytest.mark.parametrize("name", GIVENS)
 def test_each_inequality_and_entry_condition_is_used(name: str) -> None:
     assert answer(without(decide_sharper(), name)) in {"REFUSED", "MALFORMED"}
 
 
-@pytest.mark.parametrize("name", [*state.PAIRS, "s-upper", "t-lower", "t-upper"])
+@pytest.mark.parametrize("name", [*standing(SHARPER), "s-upper", "t-lower", "t-upper"])
 def test_each_pair_of_vectors_and_each_time_is_used(name: str) -> None:
     assert answer(without(decide_sharper(), name)) in {"REFUSED", "MALFORMED"}
 
@@ -83,54 +86,51 @@ def weaker(claim: Claim) -> Claim:
     return Claim(claim.relation, claim.lhs, claim.rhs + Fraction(1, 10**6))
 
 
-@pytest.mark.parametrize("name", [*state.GIVENS][::3])
+@pytest.mark.parametrize("name", [*GIVENS][::3])
 def test_a_weaker_given_is_refused(name: str) -> None:
-    assert answer(changed(decide_sharper(), name, weaker(state.GIVENS[name]))) == "REFUSED"
+    assert answer(changed(decide_sharper(), name, weaker(GIVENS[name]))) == "REFUSED"
 
 
 #: The theorem as it might be miswritten: a sign, a factor, a power, an end.
-n = state
-MUTANTS: dict[str, tuple[str, Claim]] = {
-    "half-forgotten": ("y-upper-room", n.reach**2 * (n.C_0 + n.Theta) * n.r <= n.ratio * n.reach),
+MUTANTS = {
+    "half-forgotten": (
+        "y-upper-room",
+        "(1 + k*eta_0^2)^2*(C_0 + Theta)*r <= (p + Y)*(1 + k*eta_0^2)",
+    ),
     "reach-once": (
         "y-upper-room",
-        n.half * n.reach * (n.C_0 + n.Theta) <= n.ratio * n.reach + (n.m - n.X),
+        "(1 + r)/2*(1 + k*eta_0^2)*(C_0 + Theta) <= (p + Y)*(1 + k*eta_0^2) + (m - X)",
     ),
     "upper-of-q-for-lower": (
         "y-upper-room",
-        n.half * n.reach**2 * (n.C_0 + n.Theta) <= n.ratio * n.reach + (n.m + n.X),
+        "(1 + r)/2*(1 + k*eta_0^2)^2*(C_0 + Theta) <= (p + Y)*(1 + k*eta_0^2) + (m + X)",
     ),
     "lower-of-q-for-upper": (
         "y-lower-room",
-        n.least_ratio <= n.half * n.root * (n.C_0 - n.Theta) - (n.m - n.X) - n.T * n.V**2,
+        "p - Y <= (1 + r)/2*(1 - T*V^2)*(C_0 - Theta) - (m - X) - T*V^2",
     ),
-    "gain-forgotten": (
-        "y-lower-room",
-        n.least_ratio <= n.half * n.root * (n.C_0 - n.Theta) - (n.m + n.X),
-    ),
+    "gain-forgotten": ("y-lower-room", "p - Y <= (1 + r)/2*(1 - T*V^2)*(C_0 - Theta) - (m + X)"),
     "sign-of-the-angle": (
         "y-lower-room",
-        n.least_ratio <= n.half * n.root * (n.C_0 + n.Theta) - (n.m + n.X) - n.T * n.V**2,
+        "p - Y <= (1 + r)/2*(1 - T*V^2)*(C_0 + Theta) - (m + X) - T*V^2",
     ),
-    "least-for-greatest": ("x-upper-room", n.r * n.reach <= (n.m + n.X) * n.ratio),
-    "greatest-for-least": ("x-lower-room", (n.m - n.X) * n.least_ratio <= n.r * n.root),
-    "root-forgotten": ("x-lower-room", (n.m - n.X) * n.ratio <= n.r),
-    "square-of-the-time": ("d-room", (n.m + n.X) * n.T <= n.k * n.least_ratio**2),
-    "power-of-the-ratio": (
-        "d-room",
-        (n.m + n.X) * n.T + n.V**2 * n.T**2 / 2 <= n.k * n.least_ratio,
-    ),
-    "one-for-two": ("time-room", n.k <= n.T * (2 - n.T * n.V**2)),
-    "time-of-no-root": ("time-room", 2 * n.k <= 2 * n.T),
-    "series-forgotten": ("speed-room", n.jump * n.eta_0 <= n.V - n.V_0),
-    "one-way": ("start-C-upper", n.start.C - n.C_0 <= n.Theta),
-    "slope-of-d": ("start-d-small", n.start.d <= n.k * n.start.y),
+    "least-for-greatest": ("x-upper-room", "r*(1 + k*eta_0^2) <= (m + X)*(p + Y)"),
+    "greatest-for-least": ("x-lower-room", "(m - X)*(p - Y) <= r*(1 - T*V^2)"),
+    "root-forgotten": ("x-lower-room", "(m - X)*(p + Y) <= r"),
+    "square-of-the-time": ("d-room", "(m + X)*T <= k*(p - Y)^2"),
+    "power-of-the-ratio": ("d-room", "(m + X)*T + V^2*T^2/2 <= k*(p - Y)"),
+    "one-for-two": ("time-room", "k <= T*(2 - T*V^2)"),
+    "time-of-no-root": ("time-room", "2*k <= 2*T"),
+    "series-forgotten": ("speed-room", "(1 + r)/2*(1 + k*eta_0^2)*eta_0 <= V - V_0"),
+    "one-way": ("start-C-upper", "C_start - C_0 <= Theta"),
+    "slope-of-d": ("start-d-small", "d_start <= k*y_start"),
 }
 
 
 @pytest.mark.parametrize("mutant", MUTANTS)
 def test_a_mutant_is_refused(mutant: str) -> None:
-    assert answer(changed(decide_sharper(), *MUTANTS[mutant])) == "REFUSED"
+    name, text = MUTANTS[mutant]
+    assert answer(changed(decide_sharper(), name, claim_of(SHARPER, name, text))) == "REFUSED"
 
 
 @pytest.mark.parametrize("name", ["tau", "D", "C_next", "y_next", "eta_s_next", "A_next", "B_next"])
@@ -150,7 +150,7 @@ def test_another_collision_map_is_refused(name: str) -> None:
 
 def sums() -> list[tuple[Step, Claim, str | None, Sum]]:
     """Every sum of the certificate with its claim and context."""
-    rows = {row.name: row for row in sharper().statement.obligations}
+    rows = {row.name: row for row in SHARPER.obligations}
     found: list[tuple[Step, Claim, str | None, Sum]] = []
     for step in decide_sharper().steps:
         if isinstance(step, LemmaStep) and isinstance(step.proof, Sum):
@@ -217,7 +217,7 @@ def value(term: Term, at: Numbers) -> Fraction:
 def room_for_the_angle(at: Numbers) -> Fraction:
     """How far -cos theta may be from C_0 at the start."""
     at_start = {**at, "C_start": at["C_0"]}
-    claim = state.GIVENS["start-C-upper"]
+    claim = GIVENS["start-C-upper"]
     return value(claim.rhs, at_start) - value(claim.lhs, at_start)
 
 
@@ -257,7 +257,7 @@ def draws(dimension: int) -> tuple[Random, tuple[Numbers, ...]]:
     draw, found = Random(dimension, dimension), []
     while len(found) < 12:
         at = draw.numbers()
-        if at is not None and all(holds(claim, at) for claim in state.ROOM.values()):
+        if at is not None and all(holds(claim, at) for claim in ROOM):
             found.append(at)
     return draw, tuple(found)
 
@@ -298,7 +298,7 @@ def test_a_follower_that_contradicts_would_be_seen(dimension: int) -> None:
 
 def test_a_statement_cites_the_theorem() -> None:
     """Values of all variables, and each given decided by enclosures: a scene shows no more."""
-    values: dict[str, Term] = dict(state.start_context().point)
+    values: dict[str, Term] = dict(START.point)
     values |= {"C_start": sqrt(as_term(Fraction(90249999, 10**8))), "B_start": sqrt(2) / 3}
     assert verdict_of_scene(values) == "PROVED"
     values["B_start"] = sqrt(2)
@@ -308,11 +308,11 @@ def test_a_statement_cites_the_theorem() -> None:
 def verdict_of_scene(values: dict[str, Term]) -> str:
     """Whether the checker accepts that the theorem applies to these values."""
     theorem = write(decide_sharper())
-    applies = Applies(f"sharper:{START}", values)
+    applies = Applies(f"sharper:{START.name}", values)
     row = Obligation("collapse", "", "", NEEDED, "the particles collapse", applies)
     cite = Cite("sharper", "sharper", theorem["statement.json"])
     statement = Statement("scene", "Three particles", {}, (), (), (row,), (), (cite,))
-    proof = Applying(tuple(Interval(64) for _ in state.GIVENS))
+    proof = Applying(tuple(Interval(64) for _ in GIVENS))
     decisions = {row.name: Decision(PROVED, proof)}
     files = write(Outcome(statement, decisions, (ObligationStep(row.name, proof),), {}))
     cited = {name[6:-5]: data for name, data in files.items() if name.startswith("cited/")}

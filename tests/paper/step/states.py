@@ -11,13 +11,16 @@ from flint import arb
 
 from verify.language.statement import Context
 from verify.language.terms import Claim
-from verify.paper.dynamics.state import NAMES
-from verify.paper.step import numbers, state
+from verify.paper.commands.pages import page
 from verify.prover import balls
 from verify.prover.balls import BallArithmetic
 from verify.prover.program import Machine, Program
 from verify.prover.relations import fails
 
+#: The step as its page states it.
+STEP = page("step").statement
+#: The numbers of a state.
+NAMES = [v.name.removesuffix("_start") for v in STEP.context("initial").variables]
 BITS = 1000
 Values = dict[str, arb]
 Vector = list[arb]
@@ -34,8 +37,8 @@ class Random:
 
     def __init__(self, seed: int, dimension: int) -> None:
         self.random, self.dimension = random.Random(seed), dimension
-        texts = numbers.POINT.items()
-        self.numbers: Values = {name: balls.from_fraction(Fraction(t)) for name, t in texts}
+        point = STEP.context("parameters").point.items()
+        self.numbers: Values = {name: balls.from_fraction(x.value) for name, x in point}
 
     def share(self) -> arb:
         """A number in ]0, 1[, often close to an end."""
@@ -53,12 +56,11 @@ class Random:
         v["y"] = v["g"] * self.share()
         spread = (1 - v["h_4"] / 2) * v["delta_x"]
         v["eta_s"] = v["y"] * (v["phi_minus"] + self.between(-spread, spread))
-        terms = {"room": numbers.drift - state.beta * state.g, "beta": state.beta}
-        terms["used"] = state.norm_sum * (numbers.eta_bar - state.g)
-        found = evaluate(terms, v)
-        third = (v["V_1"] - v["V_0"]) / 3
-        ends = v["V_0"] + third - found["used"], v["V_1"] - third + found["used"]
-        v["A"], v["B"] = self.between(*ends), self.between(*ends)
+        given = STEP.context("state").claims
+        terms = {"room": given["Cnd8-upper"].rhs, "least": given["A-lower"].lhs}
+        found = evaluate(terms | {"most": given["A-upper"].rhs}, v | {"d": arb(0)})
+        for speed in ("A", "B"):
+            v[speed] = self.between(found["least"], found["most"])
         limits = (
             v["h_4"] * v["delta_x"] / 8,
             v["delta_2"] * v["h_4"] * v["delta_x"] / 2,

@@ -11,11 +11,10 @@ from flint import fmpq
 from verify import check
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import Claim, Term, as_term
+from verify.paper import step_as_printed as misprints
 from verify.paper.commands.regenerate import is_right_statement
 from verify.paper.commands.step import decide_step_printed, state
 from verify.paper.parameters import PARAMETERS
-from verify.paper.step import misprints
-from verify.paper.step.step import step
 from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Outcome
 from verify.prover.rules import Witness
@@ -25,6 +24,7 @@ from verify.wire.write import write
 from . import second_estimates
 from .second_constants import Constants, hypothesis
 from .second_reading import READINGS, Place, State, dot, holds, links
+from .states import STEP
 
 ROOT = Path(check.__file__).parents[1]
 
@@ -73,7 +73,7 @@ def test_every_printed_row_is_refuted_and_every_other_proved() -> None:
 
 
 def test_each_is_corrected_by_a_row_that_is_proved_elsewhere() -> None:
-    known = {row.name for row in step().statement.obligations}
+    known = {row.name for row in STEP.obligations}
     known |= {row.name for part in theorem().parts.values() for row in part.obligations}
     for row in misprints.printed():
         assert row.corrected_by in known, row.name
@@ -81,7 +81,7 @@ def test_each_is_corrected_by_a_row_that_is_proved_elsewhere() -> None:
 
 
 def test_what_is_proved_here_has_the_names_and_labels_of_the_step() -> None:
-    labels = {row.name: row.label for row in step().statement.obligations}
+    labels = {row.name: row.label for row in STEP.obligations}
     for row in misprints.needed():
         if not row.name.startswith("angle"):
             assert labels[row.name] == row.label

@@ -20,17 +20,15 @@ from flint import arb, fmpq
 from verify.language.statement import Constant
 from verify.language.terms import Claim, as_term
 from verify.paper.commands.theorem1 import decide_point
-from verify.paper.dynamics import model
-from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import PARAMETERS
-from verify.paper.step import numbers as numbers_of_the_step
-from verify.paper.step.step import step
+from verify.paper.step import MEANING
 from verify.prover.program import ExactArithmetic, Machine, Program
 
 from . import second_estimates
 from .second_constants import Constants, hypothesis
 from .second_reading import READINGS, Chain, Number, Place, dot, holds, links, root
 from .second_states import allowed_place, exact_place
+from .states import STEP
 
 Side = Callable[[Number, Place], Number]
 
@@ -201,8 +199,8 @@ ONLY_FIRST = {
 
 @cache
 def rows() -> dict[str, Claim]:
-    found = {o.name: o.claim for o in step().statement.obligations if isinstance(o.claim, Claim)}
-    givens = {g.name: g.claim for c in step().statement.contexts for g in c.givens}
+    found = {o.name: o.claim for o in STEP.obligations if isinstance(o.claim, Claim)}
+    givens = {g.name: g.claim for c in STEP.contexts for g in c.givens}
     return givens | found
 
 
@@ -213,7 +211,7 @@ def fraction(x: fmpq) -> Fraction:
 def inputs(q: Place) -> dict[str, Fraction]:
     """The names of the statement: the numbers, and the inner products of a state."""
     n, K = q.n, q.K
-    names = {*numbers_of_the_step.MEANING} & {*dir(K)}
+    names = {*MEANING} & {*dir(K)}
     numbers = {name: getattr(K, name) for name in sorted(names)}
     numbers |= {"alpha_0": K.alpha, "phi_minus": K.phi, "delta_y": K.delta_x}
     numbers |= {"y": y(q), "eta_s": n.eta_s, "C": n.neg_cos, "A": n.Wc2, "B": n.Ws2, "d": n.d}
@@ -239,7 +237,7 @@ def machine() -> Machine:
 
 def collision_map() -> tuple[Constant, ...]:
     """The constants of the context of a state."""
-    return next(c.constants for c in step().statement.contexts if c.name == CONTEXT)
+    return STEP.context("state").constants
 
 
 class Values:
@@ -321,7 +319,7 @@ def test_both_readings_have_the_same_law_of_collision(dimension: int) -> None:
             "e_omega": omega[axis], "n_0": dot(base, omega), "n_c": dot(v_c, omega),
             "s_0": dot(base, base), "s_c": dot(v_c, v_c),
         }  # fmt: skip
-        assert set(values) == set(model.LETTERS)
+        assert set(values) == {v.name for v in STEP.context("impact").variables}
         program = Program(values)
         for name, new in (("impact-velocity-s", q.m.W_s), ("impact-velocity-c", q.m.W_c)):
             sides = [program.add(side) for side in (rows()[name].lhs, rows()[name].rhs)]
@@ -352,10 +350,10 @@ def test_every_line_of_the_second_reading_is_accounted_for() -> None:
 
 
 def test_every_row_of_a_state_is_accounted_for() -> None:
-    contexts = {CONTEXT, "before", "meanwhile"}
+    contexts = {"state", "before", "meanwhile"}
     listed = {name for names in ONLY_FIRST.values() for name in names.split()}
     matched = {row for match in MATCHES for row in match.rows} - {"Cnd5-upper"}
-    here = {row.name for row in step().statement.obligations if row.context in contexts}
+    here = {row.name for row in STEP.obligations if row.context in contexts}
     assert matched | listed == here
     assert not matched & listed
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -14,17 +14,17 @@ from typing import Any
 
 import pytest
 
-from tests.paper.step.states import BITS, Random, Values, checker, evaluate
+from tests.paper.step.states import BITS, NAMES, STEP, Random, Values, checker, evaluate
 from verify import check
 from verify.cli import main
-from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Obligation
-from verify.language.terms import Claim, as_term
+from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Always, Obligation
+from verify.language.terms import Claim, Term, as_term, substitute_claim, symbol
+from verify.paper import step
 from verify.paper.commands.everywhere import decide_everywhere
 from verify.paper.commands.step import decide_step
 from verify.paper.commands.theorem1 import decide_point
-from verify.paper.dynamics.state import CONTEXT
-from verify.paper.step import initial, numbers, state
-from verify.paper.step.step import step
+from verify.paper.parameters import PARAMETERS
+from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
@@ -61,8 +61,8 @@ def test_only_four_kinds_of_sentences_are_assumed() -> None:
 
 
 def test_glue_names_rows_that_are_there() -> None:
-    rows = {row.name for row in step().statement.obligations}
-    rows |= {g.name for c in step().statement.contexts for g in c.givens}
+    rows = {row.name for row in STEP.obligations}
+    rows |= {g.name for c in STEP.contexts for g in c.givens}
     named = {
         word.strip(".,:")
         for assumption in decide_step().assumptions
@@ -75,11 +75,11 @@ def test_glue_names_rows_that_are_there() -> None:
 
 
 def test_the_point_is_the_theorem_at_three_hundredths() -> None:
-    values = {n: as_term_of(numbers.POINT[n]) for n in ("r", "c", "V_0", "delta_theta")}
-    outcome = decide_point(values, "repaired")
-    for name, meaning in numbers.MEANING.items():
+    point = STEP.context("parameters").point
+    outcome = decide_point({n: point[n] for n in PARAMETERS}, "repaired")
+    for name, meaning in step.MEANING.items():
         low, high = outcome.enclosures[meaning.name].ends[0]
-        assert low <= as_term_of(numbers.POINT[name]).value <= high
+        assert low <= point[name].value <= high
 
 
 def as_term_of(text: str) -> Any:
@@ -101,7 +101,7 @@ class Sums:
 
 @cache
 def sums() -> tuple[Sums, ...]:
-    rows = {row.name: row for row in step().statement.obligations}
+    rows = {row.name: row for row in STEP.obligations}
     found = []
     for item in decide_step().steps:
         if isinstance(item, LemmaStep) and isinstance(item.proof, Sum):
@@ -163,10 +163,10 @@ def test_without_a_given_the_step_is_refused(context: str) -> None:
 
 
 def claims_in(*contexts: str) -> dict[str, Claim]:
-    rows = {row.name: row for row in step().statement.obligations}
+    rows = {row.name: row for row in STEP.obligations}
     found = {
         given.name: given.claim
-        for context in step().statement.contexts
+        for context in STEP.contexts
         if context.name in contexts
         for given in context.givens
     }
@@ -182,17 +182,18 @@ def claims_in(*contexts: str) -> dict[str, Claim]:
 
 @pytest.mark.parametrize("dimension", [2, 3, 4])
 def test_no_claim_is_violated_at_random_states(dimension: int) -> None:
-    contexts = [c for c in step().statement.contexts if c.name == CONTEXT]
-    names = [*numbers.POINT, *state.carried.following, "t", "s"]
-    claims = claims_in("parameters", CONTEXT, "before", "meanwhile")
+    here = STEP.context("state")
+    names = [*step.MEANING, *following(), "t", "s"]
+    claims = claims_in("parameters", "state", "before", "meanwhile")
+    (time,) = (constant.term for constant in here.constants if constant.name == "tau")
     with balls.precision(BITS):
         draw, seen = Random(dimension, dimension), 0
-        violated = checker(contexts, claims, names)
+        violated = checker([here], claims, names)
         for _ in range(100):
             values = draw.state()
             if values is None:
                 continue
-            tau = evaluate({"tau": state.tau_of(state.frame)}, values)["tau"]
+            tau = evaluate({"tau": time}, values)["tau"]
             values |= {"t": tau * draw.share(), "s": tau * draw.share()}
             assert violated(values) == []
             seen += 1
@@ -201,29 +202,33 @@ def test_no_claim_is_violated_at_random_states(dimension: int) -> None:
 
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_orbits_from_the_initial_set_satisfy_all_conditions(dimension: int) -> None:
-    contexts = [c for c in step().statement.contexts if c.name == CONTEXT]
-    names = [*numbers.POINT, *state.carried.following]
-    conditions = state.carried.conditions
+    here = STEP.context("state")
+    names = [*step.MEANING, *following()]
+    conditions = {given.name: given.claim for given in here.givens if given.kind == "carried"}
     with balls.precision(4 * BITS):
         draw = Random(7, dimension)
-        starting = checker([], claims_in(initial.CONTEXT), [*names, *initial.point])
-        violated = checker(contexts, conditions, names)
-        following = state.carried.following
+        starting = checker([], claims_in("initial"), [*names, *(f"{n}_start" for n in NAMES)])
+        violated = checker([here], conditions, names)
         for _ in range(5):
             values = draw.start()
             assert values is not None
             assert starting(values) == []
             for _ in range(40):
                 assert violated(values) == []
-                values = next_state(contexts, following, {n: values[n] for n in names})
+                values = next_state({n: values[n] for n in names})
 
 
-def next_state(contexts: Any, following: Any, values: Values) -> Values:
-    terms = {c.name: c.term for context in contexts for c in context.constants}
+def following() -> Mapping[str, Term]:
+    """The next state, as the induction has it."""
+    (always,) = (row.claim for row in STEP.obligations if isinstance(row.claim, Always))
+    return always.next
+
+
+def next_state(values: Values) -> Values:
     known = dict(values)
-    for name, term in terms.items():
-        known |= evaluate({name: term}, known)
-    return values | evaluate(following, known)
+    for constant in STEP.context("state").constants:
+        known |= evaluate({constant.name: constant.term}, known)
+    return values | evaluate(following(), known)
 
 
 # --- points that cite the step -------------------------------------------------------------------
@@ -308,11 +313,22 @@ def test_nothing_is_proved_by_a_file_that_was_tampered_with(
 
 
 def test_every_given_is_a_row_a_definition_or_a_lemma_of_the_point() -> None:
-    names = [given.name for given in numbers.context().givens]
-    kinds = (numbers.row_names(), numbers.DEFINED, numbers.BETWEEN)
-    assert all(sum(name in kind for kind in kinds) == 1 for name in names)
-    assert len(names) == sum(map(len, kinds))
-    assert names == list(numbers.givens())
+    kinds = (step.row_names(), step.DEFINED, step.BETWEEN)
+    assert all(sum(name in kind for kind in kinds) == 1 for name in step.GIVENS)
+    assert len(step.GIVENS) == sum(map(len, kinds))
+
+
+def test_the_givens_of_the_page_are_the_theorems_rows_word_for_word() -> None:
+    here, parts = STEP.context(step.CONTEXT), theorem().parts
+    assert [variable.name for variable in here.variables] == list(step.MEANING)
+    assert list(here.claims) == list(step.GIVENS)
+    rows = {row.name: row.claim for part in parts.values() for row in part.obligations}
+    shown = {name: rows[row] for name, row in step.row_names().items()} | step.BETWEEN
+    for name, claim in shown.items():
+        assert substitute_claim(here.claims[name], step.MEANING) == claim, name
+    for name, constant in step.DEFINED.items():
+        meant = substitute_claim(here.claims[name], step.MEANING)
+        assert (meant.relation, meant.lhs) == ("=", symbol(constant)), name
 
 
 @pytest.mark.parametrize("name", ["zeta-total", "final-angle", "fixed-points-exist"])
@@ -334,21 +350,21 @@ def test_the_step_does_not_apply_where_a_row_that_it_needs_is_not_proved(
     monkeypatch.setattr(Ground, "decide", broken)
     texts = {"r": "3/100", "c": "1", "V_0": "1", "delta_theta": "1/10"}
     outcome = decide_point({n: as_term_of(text) for n, text in texts.items()})
-    assert outcome.decisions[numbers.COLLAPSE] == Decision(UNDECIDED)
+    assert outcome.decisions[step.COLLAPSE] == Decision(UNDECIDED)
     assert (outcome.verdict, headline(outcome)) == (verdict, verdict)
 
 
 def test_a_row_that_the_step_does_not_need_is_no_premise() -> None:
     """The final angle is within δ_θ by final-angle; that the drift is absorbed is not used."""
-    assert "angle-absorbed" not in numbers.row_names()
-    assert "final-angle" in numbers.row_names()
+    assert "angle-absorbed" not in step.row_names()
+    assert "final-angle" in step.row_names()
 
 
 def test_a_point_where_the_hypotheses_fail_cites_nothing() -> None:
     texts = {"r": "1/2", "c": "1", "V_0": "1", "delta_theta": "1/10"}
     outcome = decide_point({n: as_term_of(text) for n, text in texts.items()})
     assert outcome.statement.cites == ()
-    assert numbers.COLLAPSE not in outcome.decisions
+    assert step.COLLAPSE not in outcome.decisions
 
 
 @pytest.mark.parametrize("point", [("3/100", "1"), ("1/1000", "3/10")])
@@ -357,7 +373,7 @@ def test_a_given_that_is_dropped_or_exchanged_is_refused(point: tuple[str, str])
     files = write(decide_point({n: as_term_of(text) for n, text in texts.items()}, "repaired"))
     cited = {name[6:-5]: data for name, data in files.items() if name.startswith("cited/")}
     certificate = json.loads(files["certificate.json"])
-    (last,) = [s for s in certificate["steps"] if s.get("obligation") == numbers.COLLAPSE]
+    (last,) = [s for s in certificate["steps"] if s.get("obligation") == step.COLLAPSE]
     givens = last["proof"]["givens"]
     for changed in (givens[:-1], [*givens[1:], givens[0]], [*givens[:-1], "l.1"]):
         last["proof"]["givens"] = changed

@@ -6,6 +6,7 @@ import glob
 import os
 from collections.abc import Callable, Iterator
 from fractions import Fraction
+from functools import partial
 
 from verify.language.record import Record
 from verify.language.terms import Term, as_term, cos_pi
@@ -14,20 +15,23 @@ from verify.paper.commands import (
     collapse,
     elsewhere,
     everywhere,
-    printed_set,
+    pages,
     scene,
     separatrix,
     spectrum,
     step,
     theorem1,
-    thresholds,
 )
 from verify.paper.parameters import THEOREM
-from verify.paper.step.numbers import STEP
+from verify.paper.step import STEP
 from verify.prover.outcome import Outcome
 from verify.spheres.scene.decide import UNDECIDED, decide_scene
 from verify.spheres.scene.scene_files import read_scene, scene_bytes
 from verify.wire.judge import judged
+
+decided_set = partial(pages.decide, "printed_set")
+decided_sign = partial(pages.decide, "printed_sign")
+decided_thresholds = partial(pages.decide, "thresholds")
 
 
 class StoredPoint(Record):
@@ -74,9 +78,11 @@ THEOREMS = (
     Theorem("step", STEP, step.decide_step),
     Theorem("step-printed", "step-printed", step.decide_step_printed),
     Theorem("theorem1-all", f"{THEOREM} for all parameters", everywhere.decide_everywhere),
-    Theorem("printed-set", f"{THEOREM}, the set as printed", printed_set.decide_printed_set),
-    Theorem("printed-sign", f"{THEOREM}, the sign as printed", printed_set.decide_printed_sign),
-    Theorem("thresholds", f"{THEOREM} as printed, where it depends", thresholds.decide_thresholds),
+    Theorem("printed-set", f"{THEOREM}, the set as printed", decided_set),
+    Theorem(
+        "printed-sign", f"{THEOREM}, the sign as printed", partial(pages.decide, "printed_sign")
+    ),
+    Theorem("thresholds", f"{THEOREM} as printed, where it depends", decided_thresholds),
     Theorem("spectrum", "THEORSS3.5SpectMatricVitLm", spectrum.decide_spectrum),
     Theorem("classification", "classification", classification.decide_classification),
     Theorem("elsewhere", "elsewhere", elsewhere.decide_elsewhere),

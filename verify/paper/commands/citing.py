@@ -11,11 +11,11 @@ from collections.abc import Mapping
 
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Cite
 from verify.language.terms import Claim, sqrt
+from verify.paper import step
 from verify.paper.assumptions import STEP_ASSUMPTIONS
 from verify.paper.initial_data import alpha_0, discriminant, phi_minus
 from verify.paper.parameters import HYPOTHESES, PRINTED, REPAIRED
-from verify.paper.step import numbers
-from verify.paper.step.numbers import STEP
+from verify.paper.step import BETWEEN, STEP
 from verify.prover.outcome import Decision, Judgement, Outcome, conjunction, names_in
 from verify.prover.proof import LemmaStep, ObligationStep, Proof, Step, Value
 from verify.prover.rules import Applying, Root, Sum
@@ -27,8 +27,8 @@ BY_ROWS = "the rows that the step needs"
 
 def applying(between: Mapping[str, str]) -> Applying:
     """The proof that the step applies, from rows, definitions, and the facts that are neither."""
-    known = numbers.row_names() | numbers.DEFINED | dict(between)
-    return Applying(tuple(known[name] for name in numbers.givens()))
+    known = step.row_names() | step.DEFINED | dict(between)
+    return Applying(tuple(known[name] for name in step.GIVENS))
 
 
 def applies(verdicts: Mapping[str, str]) -> bool:
@@ -38,7 +38,7 @@ def applies(verdicts: Mapping[str, str]) -> bool:
         OwnError: if the files of the step are not those that the checker has accepted.
     """
     packaged_files(STEP)
-    needed = (*numbers.row_names().values(), _row("fixed-points-exist"))
+    needed = (*step.row_names().values(), _row("fixed-points-exist"))
     return all(verdicts[name] == PROVED for name in needed)
 
 
@@ -51,7 +51,7 @@ def with_step(outcome: Outcome) -> Outcome:
     """
     if not outcome.of_group(REPAIRED):
         return outcome
-    row, decision = numbers.collapse(REPAIRED), Decision(UNDECIDED)
+    row, decision = step.collapse(REPAIRED), Decision(UNDECIDED)
     steps: tuple[Step, ...] = ()
     if applies({name: found.verdict for name, found in outcome.decisions.items()}):
         lemmas, between = _between()
@@ -97,6 +97,19 @@ def as_printed(outcome: Outcome) -> dict[str, str]:
     return {"sign": REFUTED, "set": PROVED}
 
 
+def verdicts_as_printed() -> dict[str, str]:
+    """The verdicts on the theorem with its sign as printed, and on its set with the other sign.
+
+    They are those of the certificates that come with the program; a page that was changed since
+    then is decided anew.
+    """
+    from verify.paper.commands.pages import accepted  # loaded only where it is used
+
+    by_sign = accepted("printed_sign", anew=False).verdict
+    of_set = accepted("printed_set", anew=False).verdict
+    return {"sign": REFUTED if by_sign == PROVED else UNDECIDED, "set": of_set}
+
+
 def _row(name: str) -> str:
     return f"{REPAIRED}.{name}"
 
@@ -115,8 +128,8 @@ def _between() -> tuple[list[LemmaStep], dict[str, str]]:
         "decay-speed-positive": (("mul", _row("V_0-positive"), _row("C_eta-below-one")),),
         "gap-square-positive": (("pow", gap, 2),),
     }
-    for name, claim in numbers.BETWEEN.items():
+    for name, claim in BETWEEN.items():
         found = Sum(("goal", *sums[name])) if name in sums else Sum(using=(phi_minus.name,))
         proofs.append((name, claim, found))
     lemmas = [LemmaStep(f"{STEP}.{name}", None, claim, proof) for name, claim, proof in proofs]
-    return lemmas, {name: f"{STEP}.{name}" for name in numbers.BETWEEN}
+    return lemmas, {name: f"{STEP}.{name}" for name in BETWEEN}

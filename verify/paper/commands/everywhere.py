@@ -18,8 +18,7 @@ from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import PRINTED, REPAIRED
 from verify.paper.recursion import angle_state
 from verify.paper.rows import graded
-from verify.paper.step import numbers
-from verify.paper.step.numbers import STEP
+from verify.paper.step import BETWEEN, COLLAPSE, STEP
 from verify.prover import arguments
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
@@ -297,8 +296,8 @@ class Everywhere:
     # --- the step -------------------------------------------------------------------------------
 
     def _apply(self) -> None:
-        between = {name: self.ring.lemma(claim) for name, claim in numbers.BETWEEN.items()}
-        self.writing.decide(self.writing.rows[numbers.COLLAPSE], applying(between))
+        between = {name: self.ring.lemma(claim) for name, claim in BETWEEN.items()}
+        self.writing.decide(self.writing.rows[COLLAPSE], applying(between))
 
 
 def _graded(outcome: Outcome) -> Outcome:

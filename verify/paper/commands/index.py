@@ -25,9 +25,9 @@ COMMANDS = "verify/paper/commands"
 
 
 def sources() -> str:
-    """The digest of all modules of the rooms."""
+    """The digest of all modules and pages of the rooms."""
     found = sha256()
-    for path in sorted(_modules()):
+    for path in sorted(_files()):
         with open(os.path.join(ROOT, path), "rb") as file:
             content = file.read()
         found.update(f"{path} {len(content)}\n".encode())
@@ -35,13 +35,13 @@ def sources() -> str:
     return found.hexdigest()
 
 
-def _modules() -> Iterator[str]:
-    """The paths of the modules of the rooms, from the folder in which `verify` is."""
+def _files() -> Iterator[str]:
+    """The paths of the modules and pages of the rooms, from the folder in which `verify` is."""
     for room in ROOMS:
         for folder, _, files in os.walk(os.path.join(ROOT, "verify", room)):
             inside = os.path.relpath(folder, ROOT).replace(os.sep, "/")
             if inside != COMMANDS:
-                yield from (f"{inside}/{name}" for name in files if name.endswith(".py"))
+                yield from (f"{inside}/{n}" for n in files if n.endswith((".py", ".toml")))
 
 
 @cache

@@ -21,9 +21,9 @@ class Place(Record):
 
     @property
     def part(self) -> str:
-        """The folder inside `verify/paper/`, or '' for Theorem 1 at a point."""
-        between = self.path.split("/")[2:-1]
-        return between[0] if between else ""
+        """The page, or the folder inside `verify/paper/`, or '' for Theorem 1 at a point."""
+        first, *others = self.path.split("/")[2:]
+        return first.removesuffix(".toml") if others or first.endswith(".toml") else ""
 
     @property
     def short(self) -> str:

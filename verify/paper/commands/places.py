@@ -1,8 +1,8 @@
 """Where in `verify/paper/` a name stands: that of a row, a line, a constant, or something given.
 
-The modules of the paper yield what they say. A generator that hands over to another one tells which
-one is at work, and where; in a table that it yields each row begins a line with its name. So no
-table of places is kept by hand.
+On a page it is the line that begins with the name. The modules of the paper yield what they say. A
+generator that hands over to another one tells which one is at work, and where; in a table that it
+yields each row begins a line with its name. So no table of places is kept by hand.
 """
 
 from __future__ import annotations
@@ -21,12 +21,13 @@ from typing import Any
 from verify import paper
 from verify.language.argument import Chapter, Line, Opened
 from verify.language.statement import Context, Obligation
+from verify.paper.commands.pages import content, names, page
 from verify.paper.commands.place import ROOT, Place
 from verify.paper.initial_data import ConstantSet
-from verify.paper.letters import Refuted
 from verify.paper.parameters import PRINTED, REPAIRED
 from verify.paper.spectrum.printed import Printed
 from verify.spheres import flow, scene
+from verify.wire.text.places import keys_of
 
 #: What a generator of the paper may ask for, by its annotation.
 ARGUMENTS: dict[str, tuple[Any, ...]] = {
@@ -34,19 +35,75 @@ ARGUMENTS: dict[str, tuple[Any, ...]] = {
     "Printed": (Printed(),),
 }
 
+#: A table of a page, and a key in it; what goes on in the next lines is indented.
+HEADER = re.compile(r"\[+([^\[\]]+)\]+\s*(?:#.*)?")
+KEY = re.compile(r"""([\w."'-]+)\s*=""")
+
 
 @cache
 def places() -> tuple[Place, ...]:
-    """Every name that a module of the paper yields, in the order of the modules.
+    """Every name on a page, in its order, and then every one that a module of the paper yields.
 
     The modules that only collect what others yield come last, and add what is theirs alone.
     """
     found: dict[tuple[str, str], Place] = {}
+    for name in names():
+        for place in _on_page(name):
+            found.setdefault((place.name, place.part), place)
     for module in _modules():
         for place in _written_in(module):
             if not (_collects(module.__name__) and (place.name, "") in found):
                 found.setdefault((place.name, place.part), place)
     return tuple(found.values())
+
+
+# --- pages ----------------------------------------------------------------------------------------
+
+
+def _on_page(name: str) -> list[Place]:
+    """The places of a page in the order of its lines."""
+    statement, lines = page(name).statement, _lines(content(name).decode())
+    path = f"verify/paper/{name}.toml"
+    rows = {row.name: (row.label, row.says) for row in statement.obligations}
+
+    def place(name: str, label: str, says: str, *written: tuple[str, ...]) -> Place:
+        return Place(
+            name, label, says, path, next(lines[keys] for keys in written if keys in lines)
+        )
+
+    found = [
+        place(item.name, *rows.get(item.name, ("", "")), ("chapters", "rows", item.name))
+        for chapter in page(name).chapters
+        for item in chapter.items
+        if isinstance(item, Line)
+    ]
+    for context in statement.contexts:
+        here, said = ("contexts", context.name), ("", f"in the context {context.name}")
+        for given in context.givens:
+            kind = "given" if given.kind == "plain" else given.kind
+            found.append(place(given.name, *said, (*here, kind, given.name)))
+        for constant in context.constants:
+            short = constant.name.removeprefix(f"{context.name}.")
+            keys = ((*here, "constants", key) for key in (constant.name, short, f".{short}"))
+            found.append(place(constant.name, *said, *keys))
+    return sorted(found, key=lambda place: place.line)
+
+
+def _lines(text: str) -> dict[tuple[str, ...], int]:
+    """The line in which each key of a page stands, by all keys that lead to it."""
+    table: tuple[str, ...] = ()
+    found: dict[tuple[str, ...], int] = {}
+    for number, line in enumerate(text.splitlines(), 1):
+        if header := HEADER.fullmatch(line):
+            table = tuple(keys_of(header[1]))
+            found.setdefault(table, number)
+        elif key := KEY.match(line):
+            keys = keys_of(key[1])
+            found.setdefault((*table, keys[0]), number)
+    return found
+
+
+# --- modules --------------------------------------------------------------------------------------
 
 
 def _modules() -> list[ModuleType]:
@@ -85,12 +142,11 @@ def _arguments(function: Callable[..., Any]) -> Iterator[tuple[Any, ...]]:
 def _yielded(running: Any) -> Iterator[Place]:
     for item in running:
         code, line = _at_work(running)
-        for part in item.items if isinstance(item, Chapter) else (item,):
-            row = part.row if isinstance(part, Refuted) else part
+        for row in item.items if isinstance(item, Chapter) else (item,):
             if isinstance(row, Obligation | Line):
                 yield Place(row.name, row.label, row.says, _path(code), _entry(row, code, line))
-            elif isinstance(part, Opened):
-                yield from _known(part.context, _path(code), line)
+            elif isinstance(row, Opened):
+                yield from _known(row.context, _path(code), line)
 
 
 def _known(context: Context, path: str, line: int) -> Iterator[Place]:

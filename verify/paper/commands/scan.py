@@ -25,7 +25,7 @@ from verify.language.terms import Claim, as_term
 from verify.paper.commands.citing import applies
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.parameters import GROUPS, HYPOTHESES, PRINTED, REPAIRED
-from verify.paper.step.numbers import COLLAPSE
+from verify.paper.step import COLLAPSE
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.choose import Chooser, OpenChoiceError, entries_of

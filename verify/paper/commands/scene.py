@@ -13,10 +13,7 @@ from functools import cache
 
 from verify.language.statement import PROVED, Applies, Cite, Context, Obligation, Statement
 from verify.language.terms import Claim, Term
-from verify.paper.commands.pages import argument
-from verify.paper.sandwich.comparison import stair
-from verify.paper.sandwich.state import start_context as sandwich_start
-from verify.paper.sharper.state import start_context as sharper_start
+from verify.paper.commands.pages import cite, decide, statement
 from verify.prover import balls
 from verify.prover.arguments import write_down
 from verify.prover.decimals import enclosing_decimals, round_decimal
@@ -43,17 +40,13 @@ from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.scene_files import is_in_range
 from verify.spheres.scene.telling import (
     CLASSIFICATION,
-    LINE_START,
-    SANDWICH_START,
-    STAIR,
-    START,
     TIME,
     Numbers,
     Telling,
 )
 from verify.spheres.scene.verdict import scene_lines, theorems
 from verify.wire.judge import judged
-from verify.wire.write import write
+from verify.wire.write import cite_of_outcome
 
 #: Digits of the times in a certificate.
 DIGITS = 16
@@ -83,15 +76,15 @@ def decide_flow() -> Outcome:
 @cache
 def decide_line() -> Outcome:
     """The collapse of spheres on a line."""
-    return judged(write_down(argument("line")))
+    return decide("line")
 
 
 @cache
-def cited_contexts() -> dict[str, Context]:
-    """The contexts that a scene applies, by the names by which it cites them."""
-    found = {f"{FLOW}:{context.name}": context for context in flow().statement.contexts}
-    found |= {START: sharper_start(), LINE_START: argument("line").statement.contexts[0]}
-    return found | {SANDWICH_START: sandwich_start(), STAIR: stair()}
+def cited_context(name: str) -> Context:
+    """The context that a scene applies, by the name by which it cites it."""
+    theorem, _, context = name.partition(":")
+    found = flow().statement if theorem == FLOW else statement(PAGES[theorem])
+    return found.context(context)
 
 
 def tell(found: Fate) -> Telling:
@@ -195,15 +188,14 @@ def cites(found: Fate) -> list[Cite]:
 @cache
 def _cite(name: str) -> Cite:
     """What is claimed in a theorem, with its proof; whoever writes the scene has both checked."""
-    outcome = write_down(flow() if name == FLOW else argument(PAGES[name]))
-    files, trusted = write(outcome), outcome.assumptions
-    content, certificate = files["statement.json"], files["certificate.json"]
-    return Cite(name, outcome.statement.theorem, content, (), trusted, certificate)
+    if name != FLOW:
+        return cite(PAGES[name])._replace(name=name)
+    return cite_of_outcome(write_down(flow()))
 
 
 def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:
     if isinstance(row.claim, Applies):
-        context = cited_contexts()[row.claim.context]
+        context = cited_context(row.claim.context)
         return Applying(
             tuple(_premise(given.claim, row.claim.at, bits) for given in context.givens)
         )

@@ -20,17 +20,13 @@ from verify.language.statement import (
     PROVED,
     Applies,
     Assumption,
-    Cite,
     Constant,
+    Context,
     Obligation,
     Statement,
 )
 from verify.language.terms import Claim, Number, Term, as_term, symbol
-from verify.paper.commands.pages import decide
-from verify.paper.letters import Letters
-from verify.paper.separatrix import growth, order, trap
-from verify.paper.separatrix.model import LABEL, THRESHOLD
-from verify.paper.separatrix.theorem import NAME, separatrix
+from verify.paper.commands.pages import cite, decide, statement
 from verify.prover.decimals import exact_number, round_decimal
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
@@ -40,8 +36,10 @@ from verify.spheres.limit_map import CurveAt, Parameters, Trap, beyond, find_tra
 from verify.spheres.separatrix import Separatrix, staircase
 from verify.spheres.separatrix import decide_separatrix as enclose
 from verify.wire.judge import judged
-from verify.wire.write import write
 
+#: The theorem, and its page.
+NAME = "separatrix"
+LABEL, THRESHOLD = "SSSCT3.4.2LineaZhou-Kadan", "EQUATSS3.4ZKCl2CondiStabi"
 POINT = "separatrix-point"
 GLUE = "glue-point"
 #: The parameters of a point; the last two bound f(q).
@@ -228,7 +226,7 @@ def point_outcome(point: PointParameters) -> Outcome:
     given = [Constant(name, name, name, "", x) for name, x in parameters.items()]
     constants = _constants()
     statement = Statement(
-        POINT, _title(point), parameters, constants, (), tuple(rows), (POINT_GLUE,), (_cited(),)
+        POINT, _title(point), parameters, constants, (), tuple(rows), (POINT_GLUE,), (cite(NAME),)
     )
     session = Session()
     ground = Ground(session)
@@ -240,7 +238,8 @@ def point_outcome(point: PointParameters) -> Outcome:
         if isinstance(row.claim, Claim):
             decisions[row.name] = ground.decide(row)._replace(judged=None)
             continue
-        proof = Applying((Interval(FACTORS * digits),) * _givens()[row.claim.context])
+        givens = _contexts()[row.claim.context.removeprefix(f"{NAME}:")].givens
+        proof = Applying((Interval(FACTORS * digits),) * len(givens))
         session.prove_row(row, proof)
         decisions[row.name] = Decision(PROVED, proof)
     found = {name: ground.enclose(ground.definitions[name]) for name in names}
@@ -268,17 +267,9 @@ def _title(point: PointParameters) -> str:
 
 
 @cache
-def _cited() -> Cite:
-    outcome = decide_separatrix()
-    files = write(outcome)
-    content, certificate = files["statement.json"], files["certificate.json"]
-    return Cite(NAME, NAME, content, (), outcome.assumptions, certificate)
-
-
-@cache
-def _givens() -> dict[str, int]:
-    """How many givens each context has that is applied."""
-    return {f"{NAME}:{c.name}": len(c.givens) for c in separatrix().statement.contexts}
+def _contexts() -> dict[str, Context]:
+    """The contexts of the theorem."""
+    return {context.name: context for context in statement(NAME).contexts}
 
 
 def _rows(point: PointParameters) -> tuple[list[Obligation], int]:
@@ -290,10 +281,9 @@ def _rows(point: PointParameters) -> tuple[list[Obligation], int]:
         says = "a ≤ s + s², where s³ = r: no orbit goes on for ever"
         return [_row("flat", says, claim, THRESHOLD)], 1
     if at_zero and beyond(point.of, point.q):
-        at = growth.beyond.at(r=symbol("r"), a=symbol("a"), F=symbol("q"))
         says = "q ≥ φ⁺: no orbit from there goes on for ever"
         digits = sum(len(str(x)) for x in point.values.values())
-        return [_row("beyond", says, Applies(f"{NAME}:{growth.beyond.context}", at))], digits
+        return [_applied("beyond", says, "beyond", 0, {"F": symbol("q")})], digits
     return _orbit_rows(point)
 
 
@@ -314,13 +304,13 @@ def _below(point: PointParameters, steps: list[Step], box: Trap) -> Iterator[Obl
     for number, step in enumerate(steps, 1):
         says = f"the state after {number} collisions of (q, least) lies below the second one"
         at = dict(zip("QUXV", (*state, *step[3:]), strict=True))
-        yield _applied(f"below-{number}", says, order.up, number - 1, at)
+        yield _applied(f"below-{number}", says, "up", number - 1, at)
         state = step[3:]
     widths = box.u, point.of.ratio * box.u
     U, W = widths if len(steps) % 2 == 0 else widths[::-1]
     at = {"Q": box.q, "U": U, "W": W, "q": state[0], "u": state[1]}
     says = "then it lies in two boxes that the map exchanges"
-    yield _applied("below-trap", says, trap.trap, len(steps), at)
+    yield _applied("below-trap", says, "trap", len(steps), at)
 
 
 def _above(point: PointParameters, steps: list[Step]) -> Iterator[Obligation]:
@@ -328,24 +318,25 @@ def _above(point: PointParameters, steps: list[Step]) -> Iterator[Obligation]:
     for number, step in enumerate(steps, 1):
         says = f"the state after {number} collisions of (q, u), u ≥ most, lies above the second one"
         at = dict(zip("QUXV", (*state, *step[3:]), strict=True))
-        yield _applied(f"above-{number}", says, order.down, number - 1, at)
+        yield _applied(f"above-{number}", says, "down", number - 1, at)
         state = step[3:]
     rho = point.of.ratio if len(steps) % 2 == 0 else 1 / point.of.ratio
     q, u = steps[-1][3:] if steps else (point.q, point.most)
-    ends = order.parted if point.of.a * (1 - u) - q - rho * u <= 0 else order.missed
+    ends = "parted" if point.of.a * (1 - u) - q - rho * u <= 0 else "missed"
     says = "and after that there is no collision"
     yield _applied("above-end", says, ends, len(steps), dict(zip("QU", state, strict=True)))
 
 
 def _applied(
-    name: str, says: str, context: Letters, number: int, at: Mapping[str, Number]
+    name: str, says: str, context: str, number: int, at: Mapping[str, Number]
 ) -> Obligation:
     """The row that a context applies after so many collisions, to r, a, the ratio and numbers."""
     ratios = (symbol("ratio"), symbol("sigma"))
-    known = {"r": symbol("r"), "a": symbol("a"), "rho": ratios[number % 2]}
-    if "sigma" in context.letters:
-        known["sigma"] = ratios[1 - number % 2]
-    return _row(name, says, Applies(f"{NAME}:{context.context}", context.at(**known, **at)))
+    known: dict[str, Number] = {"r": symbol("r"), "a": symbol("a"), "rho": ratios[number % 2]}
+    known |= {"sigma": ratios[1 - number % 2], **at}
+    names = [variable.name for variable in _contexts()[context].variables]
+    values = {full: as_term(known[full.removeprefix(f"{context}.")]) for full in names}
+    return _row(name, says, Applies(f"{NAME}:{context}", values))
 
 
 def _row(name: str, says: str, claim: Claim | Applies, label: str = LABEL) -> Obligation:

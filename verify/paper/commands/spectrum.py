@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from functools import cache
 
-from verify.language.statement import PROVED, Cite, Statement
-from verify.paper.classification.classification import ASSUMPTIONS, NAME
+from verify.language.statement import PROVED, Statement
+from verify.paper.commands import pages
 from verify.paper.spectrum.printed import Printed
 from verify.paper.spectrum.spectrum import statement
 from verify.paper.spectrum.zhou_kadanoff import CITED, PREMISES
@@ -14,7 +14,6 @@ from verify.prover.proof import ObligationStep
 from verify.prover.prove import prove
 from verify.prover.rules import Applying
 from verify.wire.judge import judged, known
-from verify.wire.packaged import packaged_files
 
 #: Its name among the certificates that come with the program.
 SPECTRUM = "spectrum"
@@ -25,8 +24,7 @@ MAX_BITS = 1024
 
 def state_spectrum(paper: Printed | None = None) -> Statement:
     """What is claimed, before it is decided; it cites the classification of this program."""
-    stated, certificate = packaged_files(NAME)
-    return statement(Cite(NAME, NAME, stated, (), ASSUMPTIONS, certificate), paper)
+    return statement(pages.cite("classification"), paper)
 
 
 def cite_spectrum() -> Outcome:

@@ -12,9 +12,9 @@ from functools import cache
 from verify.language.argument import Chapter
 from verify.language.statement import REFUTED, Constant, Statement
 from verify.language.terms import Term, as_term
+from verify.paper import step_as_printed as misprints
 from verify.paper.commands.elsewhere import premise
 from verify.paper.commands.pages import decide
-from verify.paper.step import misprints
 from verify.prover.arguments import Writing
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome

@@ -5,8 +5,9 @@ from __future__ import annotations
 from importlib.resources import files
 
 from verify.language.statement import HYPOTHESES, NEEDED, REPAIRED
+from verify.paper.commands.pages import statement
 from verify.paper.everywhere.chart import DERIVED
-from verify.paper.step import initial, numbers
+from verify.paper.step import MEANING, STEP
 from verify.paper.theorem1 import theorem
 from verify.views.material import Whole
 
@@ -36,7 +37,7 @@ def whole() -> Whole:
     constants = tuple(c for c in every if c.name != f"{REPAIRED}.V_1")  # it is V_1
     letters = PARAMETERS | {c.name: (c.letter, c.tex) for c in every}
     letters |= {f"{name}_start": pair for name, pair in START.items()}
-    letters |= {name: letters[term.name] for name, term in numbers.MEANING.items()}
+    letters |= {name: letters[term.name] for name, term in MEANING.items()}
     derived = {f"{HYPOTHESES}.{name}" for name in DERIVED}
     hypotheses = tuple(
         row.says
@@ -45,4 +46,5 @@ def whole() -> Whole:
     )
     text = files("verify").joinpath(COQ).read_text(encoding="utf-8")
     coq = text[text.index(FIRST) :].rstrip()
-    return Whole(hypotheses, constants, tuple(initial.GIVENS.values()), letters, coq)
+    givens = tuple(statement(STEP).context("initial").claims.values())
+    return Whole(hypotheses, constants, givens, letters, coq)

@@ -17,7 +17,7 @@ from verify.paper.everywhere.chart import CONTEXT, DERIVED, constants, context, 
 from verify.paper.initial_data import WRITTEN, ConstantSet
 from verify.paper.parameters import HYPOTHESES, PRINTED, REPAIRED, THEOREM
 from verify.paper.rows import needed
-from verify.paper.step.numbers import STEP, collapse
+from verify.paper.step import STEP, collapse
 from verify.paper.theorem1 import theorem
 
 TITLE = (

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations, islice
+from math import comb
 
 from flint import fmpq_mpoly
 
@@ -25,6 +26,8 @@ MAX_CHOICES = 64
 #: Claims with more variables are not split by their order.
 MAX_ORDERED = 4
 MAX_TERMS = 400
+#: Bits of a polynomial in other variables, at most.
+MAX_SIZE = 10**8
 
 Chosen = dict[int, Fact]
 
@@ -81,7 +84,10 @@ class Differences:
                 slope = fact.polynomial.derivative(index).leading_coefficient()
                 rest = fact.polynomial - slope * gens[index]
                 inverse[index] = (gens[index] - rest.compose(*inverse)) / slope
-            self.system.question.budget.spend(50 * len(self.p))
+            size = _size(self.p, inverse)
+            if size > MAX_SIZE:
+                continue
+            self.system.question.budget.spend(50 * len(self.p) + size // 100)
             found = self.p.compose(*inverse)
             addends = self._addends(found, chosen)
             if addends is not None:
@@ -99,6 +105,15 @@ class Differences:
             addends.append(product_of(str(fraction_of(value)), *factors))
             strict = strict or all(fact.strict for fact, _ in powers)
         return addends if strict else None
+
+
+def _size(polynomial: fmpq_mpoly, values: Sequence[fmpq_mpoly]) -> int:
+    """About the bits that a polynomial has with these values in place of its variables."""
+    degree = int(polynomial.total_degree())
+    bits = max((c.height_bits() for value in values for c in value.coeffs()), default=0)
+    own = max((c.height_bits() for c in polynomial.coeffs()), default=0)
+    terms = comb(degree + max(map(len, values)) - 1, degree)
+    return (own + degree * bits) * len(polynomial) * terms
 
 
 def _choices(facts: Sequence[Fact], wanted: Sequence[int], chosen: Chosen) -> Iterator[Chosen]:

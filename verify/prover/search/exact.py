@@ -21,6 +21,8 @@ Range = tuple[Fraction, Fraction]
 GUARD_BITS = 32
 #: The checker encloses no exponentials of larger numbers.
 MAX_EXPONENT = 1 << 16
+#: Nor does it read numbers of so many bits.
+MAX_SHIFT = 1 << 19
 
 
 class ExactRanges:
@@ -82,6 +84,8 @@ class ExactRanges:
         if n.bit_length() + d.bit_length() <= 2 * self._bits:
             return end
         shift = self._bits - n.bit_length() + d.bit_length()
+        if abs(shift) > MAX_SHIFT:
+            raise ZeroDivisionError("a number is too long for the checker")
         if shift < 0:
             return Fraction(n // (d << -shift) << -shift)
         return Fraction((n << shift) // d, 1 << shift)

@@ -430,7 +430,8 @@ class Growth:
             relation, lhs, rhs = given.claim.key
             near, far = (rhs, lhs) if is_above else (lhs, rhs)
             is_end = near == self.x and far.op != "rational" and relation in ("<", "<=")
-            if is_end and self.name not in names_of(far):
+            others = self.known.variables_in(names_of(far))
+            if is_end and others <= self.others.keys():
                 yield far, given.name, relation
         end = bounds.low if is_above else bounds.high
         if end is not None:

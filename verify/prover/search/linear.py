@@ -15,7 +15,7 @@ from flint import fmpq, fmpq_mpoly
 from verify.language.record import Record
 from verify.language.statement import Given
 from verify.language.terms import Claim, as_term, symbol
-from verify.prover.clearing import expanded
+from verify.prover.clearing import TooLongError, expanded
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value, product_of
 from verify.prover.rules import Sum
@@ -25,11 +25,18 @@ from verify.prover.search.system import Fact, System
 
 #: The row that says that something positive is in the sum.
 STRICT = 0
-#: Programmes with more columns are not tried.
+#: Larger programmes lose first the columns that cannot be in a sum.
 MAX_COLUMNS = 420
 MAX_ROWS = 260
+#: Those that are larger then are not tried, nor more products.
+MOST_COLUMNS = 2500
+MOST_ROWS = 800
+MOST_PRODUCTS = 6000
+#: The part of the work that is left which one large programme may take, and the least.
+PART = 8
+LEAST = 300_000
 #: The work of one product.
-PRODUCT = 50
+PRODUCT = 20
 
 
 class Multiple(Record):
@@ -49,20 +56,24 @@ def by_linear_sum(question: Question) -> Proof | None:
 
 def by_products(question: Question, degree: int) -> Proof | None:
     """The same with products of at most so many facts, squares, and multiples of equations."""
-    system = System(question)
-    columns = [*islice(_columns(system, degree), MAX_COLUMNS + 1)]
-    most = max(_degree(column.polynomial) for column in columns)
-    left = MAX_COLUMNS - len(columns)
-    multiples = [*islice(_multiples(system, most), max(0, left + 1))]
-    if len(multiples) > left:
-        return None
-    return _solved(system, columns, multiples)
+    system, proof = System(question), None
+    with question.budget.at_most(max(question.budget.left // PART, LEAST)):
+        columns = [*islice(_columns(system, degree), MOST_PRODUCTS)]
+        most = max(_degree(column.polynomial) for column in columns)
+        left = MOST_PRODUCTS - len(columns)
+        multiples = [*islice(_multiples(system, most), max(0, left + 1))]
+        if len(multiples) <= left:
+            proof = _solved(system, columns, multiples)
+    return proof
 
 
 def find_ranges(question: Question) -> bool:
     """Afterwards variables have the bounds that linear facts give them; whether that is news."""
     known, place = question.known, question.goal.context
-    system, found = System(question), False
+    try:
+        system, found = System(question), False
+    except TooLongError:
+        return False
     for name, bounds in question.goal.variables.items():
         if not known.is_at_home(name, place):
             continue
@@ -146,6 +157,7 @@ def _columns(system: System, degree: int) -> Iterator[Fact]:
     gens = system.context.gens()
     bases = [*gens, *(a - b for a, b in combinations(gens, 2))]
     bases += [a + b for a, b in combinations(gens, 2)]
+    bases += _roots(system)
     for base in bases:
         square: Value = ("square", expanded(base, system.atoms))
         yield Fact(system.reduced(base * base), square, False)
@@ -156,6 +168,15 @@ def _columns(system: System, degree: int) -> Iterator[Fact]:
                     ("mul", square, fact.value),
                     False,
                 )
+
+
+def _roots(system: System) -> Iterator[fmpq_mpoly]:
+    """The monomials of degree 2 or more whose squares are monomials of facts or of the goal."""
+    every = [system.goal, *system.facts]
+    found = dict.fromkeys(tuple(map(int, m)) for fact in every for m in fact.polynomial.monoms())
+    for monomial in found:
+        if sum(monomial) > 2 and not any(power % 2 for power in monomial):
+            yield system.context.from_dict({tuple(k // 2 for k in monomial): fmpq(1)})
 
 
 def _product(system: System, facts: Sequence[Fact]) -> Fact:
@@ -196,13 +217,35 @@ def _solved(system: System, facts: Sequence[Fact], multiples: Sequence[Multiple]
     known = [one, *facts]
     columns = [column(fact.polynomial, fact.strict) for fact in known]
     free = [column(multiple.polynomial, strict=False) for multiple in multiples]
-    if len(rows) > MAX_ROWS:
-        return None
+    if len(rows) > MAX_ROWS or len(columns) + len(free) > MAX_COLUMNS + 1:
+        useful = _useful(columns, free)
+        known, columns = [known[i] for i in useful], [columns[i] for i in useful]
+        count = len({row for each in (*columns, *free) for row in each})
+        if count > MOST_ROWS or len(columns) + len(free) > MOST_COLUMNS:
+            return None
+        if not any(fact.strict for fact in known):
+            return None
     found = solution(columns, free, {STRICT: fmpq(1)}, system.question.budget)
     if found is None:
         return None
     weights, shares = found
     return sum_of_facts(system, (), (weights, known), (shares, multiples))
+
+
+def _useful(columns: Sequence[Column], free: Sequence[Column]) -> list[int]:
+    """The columns without those with a monomial that no other one can cancel, again and again."""
+    signs = [{row: value > 0 for row, value in one.items() if row != STRICT} for one in columns]
+    kept = {row for one in free for row in one}
+    left = [*range(len(columns))]
+    while True:
+        found: dict[int, set[bool]] = {}
+        for i in left:
+            for row, sign in signs[i].items():
+                found.setdefault(row, set()).add(sign)
+        bad = {row for row, seen in found.items() if len(seen) == 1} - kept
+        if not bad:
+            return left
+        left = [i for i in left if bad.isdisjoint(signs[i])]
 
 
 def sum_of_facts(

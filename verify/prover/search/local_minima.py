@@ -3,21 +3,28 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from operator import gt
 
-from verify.language.terms import Claim
+from verify.language.terms import Claim, Term, names_of, parts_of
 from verify.prover.budget import WorkBudget
-from verify.prover.goal import Goal
+from verify.prover.goal import Bounds, Goal, definitions_below
 from verify.prover.numbers import float_of
 from verify.prover.search.compiled import estimates
 
 #: How many starts there are, and how many steps from each.
 STARTS = 24
 STEPS = 400
+#: So many operations on floats take a microsecond.
+OPERATIONS = 8
 #: A variable without a bound is looked for at first within this distance.
 FAR = 4.0
+
+#: How far from 0 variables without bounds are looked for where givens are violated least.
+DISTANCES = (4.0, 100.0)
+#: What is violated by nothing, but has to be strict.
+TINY = 1e-9
 
 #: Numbers that a point is tried at first.
 MOST = (1, 2, 3, 4, 6, 10, 12, 60, 100, 1000, 10**4, 10**6, 10**9, 10**12, 10**15, 10**18, 10**22)
@@ -38,7 +45,7 @@ class Minima:
         terms = [term for claim in (goal.claim, *givens) for term in (claim.lhs, claim.rhs)]
         sides = estimates(names, terms, goal.definitions)
         self.bounds = [_ends(b.low, b.high) for b in goal.variables.values()]
-        self.budget, self.cost = budget, 4
+        self.budget, self.cost = budget, _cost(terms, goal.definitions)
 
         def function(x: Sequence[float]) -> float:
             try:
@@ -121,6 +128,47 @@ class Minima:
     def _clip(self, i: int, value: float) -> float:
         low, high = self.bounds[i]
         return min(max(value, low), high)
+
+
+class Violations(Minima):
+    """By how much claims are violated: 0 where all of them hold."""
+
+    def __init__(
+        self,
+        variables: Mapping[str, Bounds],
+        claims: Sequence[Claim],
+        definitions: Mapping[str, Term],
+        budget: WorkBudget,
+        far: float,
+    ) -> None:
+        super().__init__(Goal(claims[0], None, variables, (), definitions), budget, far=far)
+        terms = [term for claim in claims for term in (claim.lhs, claim.rhs)]
+        sides = estimates([*variables], terms, definitions)
+        self.cost = _cost(terms, definitions)
+        relations = [claim.relation for claim in claims]
+
+        def function(x: Sequence[float]) -> float:
+            try:
+                values = sides(*x)
+            except (ArithmeticError, ValueError):
+                return math.inf
+            total = 0.0
+            for a, b, relation in zip(values[::2], values[1::2], relations, strict=True):
+                if a > b or (relation == "<" and a == b):
+                    total += a - b + TINY
+                elif not a <= b:
+                    return math.inf
+                elif relation == "=":
+                    total += b - a
+            return total
+
+        self.function = function
+
+
+def _cost(terms: Sequence[Term], definitions: Mapping[str, Term]) -> int:
+    """The work of two values of terms: about a microsecond, and one for each few operations."""
+    names = definitions_below(names_of(*terms), definitions)
+    return 4 + sum(1 for _ in parts_of(*terms, *names.values())) // OPERATIONS
 
 
 def _ends(low: Fraction | None, high: Fraction | None) -> tuple[float, float]:

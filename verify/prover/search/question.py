@@ -62,7 +62,10 @@ class Question:
         """Whether the sides of an equation are equal, as far as estimates tell.
 
         At most points they are not, if they are not everywhere: minima are looked for after those.
+        Where equations are known estimates do not tell.
         """
+        if self.equations:
+            return True
         return all(map(_is_near_zero, self.estimates.at_starts())) and all(
             map(_is_near_zero, self.minima)
         )
@@ -161,7 +164,7 @@ class Question:
     def equations(self) -> dict[str, Claim]:
         """The equations among givens and proved rows about these names."""
         known = self.known
-        rows = (name for name in sorted(known.rows & self.session.claims.keys()))
+        rows = sorted(known.usable_rows)
         names = (*(given.name for given in self.givens()), *rows)
         found = {name: self.session.claims[name] for name in names}
         return {
@@ -176,7 +179,8 @@ class Question:
         """All that is given here."""
         for place in self.session.chain(self.goal.context):
             if place is not None:
-                yield from self.known.contexts[place].givens
+                givens = self.known.contexts[place].givens
+                yield from (given for given in givens if given.name not in self.known.hidden)
 
     @cached_property
     def extrema(self) -> list[Term]:
@@ -202,7 +206,7 @@ class Question:
                 if name and session.claims[name].relation != "=":
                     found[name] = session.claims[name]
         found |= dict([*self.given.items()][: max(0, MAX_FACTS - len(found))])
-        rows = {name: session.claims[name] for name in self.known.rows & session.claims.keys()}
+        rows = {name: session.claims[name] for name in self.known.usable_rows}
         found |= {name: rows[name] for name in sorted(rows) if self.is_usable(name, rows[name])}
         for term in self.extrema:
             for entry in term.children:
@@ -222,14 +226,20 @@ class Question:
         return known
 
     def fact(self, claim: Claim) -> str | None:
-        """The name of a fact that is proved now; None if that fails, or lemmas are too deep."""
+        """The name of a fact that is proved now; None if that fails, or lemmas are too deep.
+
+        Sums may use it: its divisors and radicands have the facts that they need, although
+        enclosures prove it without them.
+        """
         known, depth = self.known, self.known.depth
         if depth > MAX_DEPTH:
             known.reasons["lemmas inside lemmas are too deep"] = None
             return None
         known.depth += 1
         try:
-            return known.fact(claim, self.goal.context)
+            found = known.fact(claim, self.goal.context)
+            cleared = found is not None and known.clears((claim.lhs, claim.rhs), self.goal.context)
+            return found if cleared else None
         finally:
             known.depth = depth
 
@@ -249,7 +259,7 @@ class Question:
         goal, known = self.plain, self.known
         found = {*names_of(goal.claim.lhs, goal.claim.rhs), *goal.variables, *goal.definitions}
         found |= set(goal.constants)
-        facts = {given.name for given in self.givens()} | (known.rows & self.session.claims.keys())
+        facts = {given.name for given in self.givens()} | known.usable_rows
         facts = {name for name in facts if self.session.homes[name] in self._places}
         left = {name: {*names_of(*self.session.claims[name].key[1:])} for name in sorted(facts)}
         while near := [name for name, own in left.items() if own & known.variables_in(found)]:

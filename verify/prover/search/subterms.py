@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from verify.language.fold import replaced
-from verify.language.terms import Claim, Term, as_term, names_of, symbol
+from verify.language.terms import Claim, Term, as_term, names_of, operations_in, symbol
 from verify.prover.goal import Bounds
 from verify.prover.proof import Proof
 from verify.prover.rules import Define, Sum
@@ -52,19 +52,18 @@ def by_subterms(question: Question) -> Proof | None:
 
 def _parts(question: Question, *terms: Term) -> Iterator[Term]:
     """The largest subterms that have some but not all of the variables, and are not small."""
-    everything = set(question.goal.variables)
-    for term in terms:
+    everything, seen = set(question.goal.variables), set[Term]()
+    waiting = [*reversed(terms)]
+    while waiting:
+        term = waiting.pop()
         own = {*names_of(term)} & everything
-        if not own:
+        if not own or term in seen:
             continue
-        if own < everything and _size(term) >= LEAST_SIZE:
+        seen.add(term)
+        if own < everything and operations_in(term) >= LEAST_SIZE:
             yield term
         else:
-            yield from _parts(question, *term.children)
-
-
-def _size(term: Term) -> int:
-    return 1 + sum(map(_size, term.children)) if term.children else 0
+            waiting += reversed(term.children)
 
 
 def _least(question: Question, term: Term) -> Fraction | None:

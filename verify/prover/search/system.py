@@ -102,12 +102,12 @@ def _ranges(
     question: Question, terms: Iterable[Term], replaced: dict[Term, Term]
 ) -> Iterator[tuple[str, Claim]]:
     """The ends of the values of functions of variables; under names for now."""
-    for atom in atoms_of(terms, replaced):
+    for i, atom in enumerate(atoms_of(terms, replaced)):
         if atom.op in RANGES and not question.known.clears_as_number(atom):
             for is_above, end in RANGES[atom.op].items():
                 relation = "<=" if atom.op in CIRCULAR else "<"
                 sides = (atom, end) if is_above else (end, atom)
-                yield f"{'end' if is_above else 'start'} {atom}", Claim(relation, *sides)
+                yield f"{'end' if is_above else 'start'} {i}", Claim(relation, *sides)
 
 
 def _inequalities(question: Question) -> Iterator[tuple[str, Claim]]:
@@ -118,7 +118,7 @@ def _inequalities(question: Question) -> Iterator[tuple[str, Claim]]:
             if name in session.claims and session.claims[name].relation != "=":
                 yield name, session.claims[name]
     yield from question.given.items()
-    for name in sorted(question.known.rows & session.claims.keys()):
+    for name in sorted(question.known.usable_rows):
         if question.is_usable(name, session.claims[name]):
             yield name, session.claims[name]
 

@@ -7,7 +7,6 @@ least, in floats; short rational numbers near such a place are tried in exact ar
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import islice
@@ -16,11 +15,10 @@ from flint import fmpq_mpoly
 
 from verify.language.statement import Context
 from verify.language.terms import Claim, Term, as_term, names_of, parts_of, sqrt, substitute
-from verify.prover.clearing import coefficients, expanded
+from verify.prover.clearing import TooLongError, coefficients, expanded
 from verify.prover.goal import Bounds, Goal
 from verify.prover.points import failure_test
-from verify.prover.search.compiled import estimates
-from verify.prover.search.local_minima import Minima, simple_points
+from verify.prover.search.local_minima import DISTANCES, Violations, simple_points
 from verify.prover.search.question import NEAR_ZERO, Question
 from verify.prover.search.system import System
 from verify.prover.session import ZERO
@@ -28,13 +26,9 @@ from verify.prover.session import ZERO
 #: So many ways to solve the equations are tried, and so many points near each descent.
 MAX_FORMS = 8
 MAX_POINTS = 24
-#: How far from 0 variables without bounds are looked for.
-DISTANCES = (4.0, 100.0)
 
 Values = dict[str, Term]
 Failure = Callable[[Sequence[Fraction]], bool]
-#: What is violated by nothing, but has to be strict.
-TINY = 1e-9
 
 
 def false_points(question: Question, context: Context) -> Iterator[Values]:
@@ -45,7 +39,10 @@ def false_points(question: Question, context: Context) -> Iterator[Values]:
     wide = question.widened() or question
     if not wide.clears() or not wide.goal.variables.keys() <= context.point.keys():
         return
-    system = System(wide)
+    try:
+        system = System(wide)
+    except TooLongError:
+        return
     for solved in _forms(system):
         for values in _Search(wide, solved).points():
             yield {**context.point, **_at(values, solved)}
@@ -54,8 +51,12 @@ def false_points(question: Question, context: Context) -> Iterator[Values]:
 def is_false(question: Question) -> bool:
     """Whether there are short numbers at which the givens hold and the claim does not."""
     undo = question.known.mark()
-    system = System(question)
-    undo()
+    try:
+        system = System(question)
+    except TooLongError:
+        return False
+    finally:
+        undo()
     return any(True for solved in _forms(system) for _ in _Search(question, solved).points())
 
 
@@ -151,7 +152,7 @@ class _Search:
         is_bounded = all(b.ends for b in self.free.values())
         for distance in DISTANCES[:1] if is_bounded else DISTANCES:
             tried = 0
-            for violation, point in Violations(self, distance).found():
+            for violation, point in self._violations(distance):
                 if violation > NEAR_ZERO or tried > MAX_POINTS:
                     break
                 for inside in (True, False):
@@ -160,6 +161,13 @@ class _Search:
                         if not is_bad(values):
                             yield dict(zip(self.free, values, strict=True))
                             break
+
+    def _violations(self, distance: float) -> list[tuple[float, tuple[float, ...]]]:
+        """Where the givens are violated least, and the negated claim."""
+        claim = self.question.goal.claim
+        negated = Claim("<=" if claim.relation == "<" else "<", claim.rhs, claim.lhs)
+        claims, budget = [negated, *self.claims], self.question.budget
+        return Violations(self.free, claims, self.definitions, budget, distance).found()
 
     def _test(self) -> Failure:
         """Whether a given is false at a point, or the claim true."""
@@ -181,32 +189,3 @@ def _claims(name: str, bounds: Bounds) -> Iterator[Claim]:
         yield Claim(bounds.low_relation, as_term(bounds.low), x)
     if bounds.high is not None and bounds.high_relation != "=":
         yield Claim(bounds.high_relation, x, as_term(bounds.high))
-
-
-class Violations(Minima):
-    """By how much givens are violated, and the negated claim: 0 where all of them hold."""
-
-    def __init__(self, search: _Search, distance: float) -> None:
-        goal, budget = search.question.goal, search.question.budget
-        free = goal._replace(variables=search.free, definitions=search.definitions)
-        super().__init__(free, budget, far=distance)
-        negated = "<=" if goal.claim.relation == "<" else "<"
-        claims = [Claim(negated, goal.claim.rhs, goal.claim.lhs), *search.claims]
-        terms = [term for claim in claims for term in (claim.lhs, claim.rhs)]
-        sides = estimates([*search.free], terms, search.definitions)
-        strict = [claim.relation == "<" for claim in claims]
-
-        def function(x: Sequence[float]) -> float:
-            try:
-                values = sides(*x)
-            except (ArithmeticError, ValueError):
-                return math.inf
-            total = 0.0
-            for a, b, is_strict in zip(values[::2], values[1::2], strict, strict=True):
-                if a > b or (is_strict and a == b):
-                    total += a - b + TINY
-                elif not a <= b:
-                    return math.inf
-            return total
-
-        self.function = function

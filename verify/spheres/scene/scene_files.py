@@ -14,7 +14,6 @@ A number is a text or a TOML number; either is read as it is written, and no flo
 from __future__ import annotations
 
 import re
-import tomllib
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
@@ -24,6 +23,7 @@ from verify.prover import balls
 from verify.prover.decimals import exact_number
 from verify.spheres.scene.scene import HALF, PAIRS, Bodies, Labels, Scene, coordinates
 from verify.wire.inputs import InputError, hundredth, rational, regular_file, shown
+from verify.wire.toml import TooLongError, toml_of
 
 KEYS = ("r", "positions", "velocities")
 #: The diameter of the particles in the file's own unit of length; 1 without it.
@@ -114,8 +114,10 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
     if len(content) > MAX_BYTES:
         raise InputError(f"{where}: has {len(content)} bytes; write at most {MAX_BYTES}")
     try:
-        table = tomllib.loads(content.decode(), parse_float=str)
-    except (ValueError, RecursionError) as error:
+        table, _ = toml_of(content)
+    except TooLongError as error:
+        raise InputError(f"{where}: {error}; make it shorter") from error
+    except ValueError as error:
         is_text = not isinstance(error, UnicodeDecodeError)
         why = " ".join(str(error).split()) if is_text else "it is not UTF-8"
         meant = (_meant_line(content) if is_text else None) or ", ".join(KEYS)
@@ -188,7 +190,7 @@ def _meant_line(content: bytes) -> str | None:
 def _is_odd(value: str) -> bool:
     """Whether TOML knows no such value."""
     try:
-        tomllib.loads(f"value = {value}")
+        toml_of(f"value = {value}".encode())
     except ValueError:
         return True
     return False

@@ -8,13 +8,13 @@ from itertools import pairwise
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.prover.decimals import outward, short, told_number
+from verify.prover.decimals import exact_number, outward, short
 from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, Start, start_of
 from verify.spheres.flow.follow import RECENTRE, name_of
 from verify.spheres.flow.law import Number
 from verify.spheres.flow.theorem import NAME as FLOW
 from verify.spheres.scene.criteria import SAYS, SAYS_OF_UNEQUAL
-from verify.spheres.scene.decide import COLLAPSES, DISPERSES, EXACT, FINITE, Fate
+from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Fate
 from verify.spheres.scene.energy import energy_lost, normal_speeds
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.telling import CLASSIFICATION
@@ -44,7 +44,6 @@ class Told(Record):
     verdict: str
     reason: str
     says: str
-    is_exact: bool
     theorems: Sequence[str]
     central: int | None
     collisions: int
@@ -85,7 +84,6 @@ def told(found: Fate) -> Told:
         found.verdict,
         found.name,
         reason(found),
-        found.why in EXACT,
         theorems(found),
         central(found),
         found.collisions,
@@ -230,8 +228,8 @@ def _angle(neg_cos: Fraction) -> tuple[Fraction, Fraction]:
 def _event_time(ends: tuple[Fraction, Fraction]) -> str:
     """A number with those of its digits that are certain, a few of them."""
     low, high = ends
-    if low == high:
-        return told_number(low)
+    if low == high and len(exact_number(low)) <= MOST_LETTERS:
+        return exact_number(low)
     text = short(ends)
     if len(text) <= MOST_LETTERS:
         return text

@@ -23,6 +23,7 @@ from verify.language.statement import (
     SLIP,
 )
 from verify.language.terms import Claim
+from verify.language.typeset import LONG
 from verify.prover.decimals import outward
 from verify.prover.outcome import Outcome
 from verify.views import classification, everywhere, words
@@ -237,6 +238,7 @@ FILTERS = (
         words.constants_of,
         words.counts,
         words.headline,
+        words.rests_on_more,
         in_numbers,
         of_severity,
         place,
@@ -279,6 +281,8 @@ def _content(material: Material) -> dict[str, Any]:
         "given": lambda outcome: words.given_by(outcome, paper),
         "believed": lambda outcome: words.believed(outcome, paper),
         "printed": paper.printed,
+        "fatal": paper.fatal,
+        "severity": paper.severity,
         "coq": checked_in_coq(material),
         "latex": latex(main),
         "whole_latex": everywhere.latex(material.whole),
@@ -288,19 +292,19 @@ def _content(material: Material) -> dict[str, Any]:
         "whole_text": everywhere.plain(material.whole),
         "Math": rows.Math,
         "subtitle": (
-            f"{paper.authors}, {paper.title} (its companion is {paper.companion}): Theorem 1 and "
-            "the spectrum of its linear model, every inequality decided in rigorous arithmetic."
+            f"{paper.authors}, {paper.title} ({paper.text_read}; its companion is "
+            f"{paper.companion}): Theorem 1 and the spectrum of its linear model, every "
+            "inequality decided in rigorous arithmetic."
         ),
         "version": __version__,
         "TITLE": TITLE,
         "CLASSES": CLASSES,
         "SETS": SETS,
         "MEASURED": MEASURED,
-        "CONDITIONALLY_PROVED": words.CONDITIONALLY_PROVED,
         "EVERYWHERE_IN_WORDS": everywhere.CLAIM,
         "SETTING": classification.SETTING,
         "THEOREMS": classification.THEOREMS,
-        "LONG": words.LONG,
+        "LONG": LONG,
         "MANY": rows.MANY,
     }
 

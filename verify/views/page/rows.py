@@ -16,6 +16,7 @@ from verify.language.statement import (
     Publication,
 )
 from verify.language.terms import Claim, Term, symbol
+from verify.language.typeset import LONG
 from verify.prover.decimals import decimal_text, outward, round_decimal, short
 from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views import words
@@ -85,7 +86,7 @@ class Writer:
             claim = simplified_claim(claim)
         text = self.typesetter.claim(claim)
         if len(text) > words.MAX_FORMULA or not isinstance(claim, Claim):
-            return Math("", text if len(text) <= words.MAX_FORMULA else words.LONG)
+            return Math("", text if len(text) <= words.MAX_FORMULA else LONG)
         widest = max(len(self.typesetter.term(part)) for part in summands(claim))
         return Math(self._mathml.claim(claim) if widest <= WIDEST else "", text)
 

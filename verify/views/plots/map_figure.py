@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import Any
 
-from verify.prover.decimals import short
+from verify.prover.decimals import exact_number
 from verify.views.map import (
     AREAS,
     COLLAPSES,
@@ -70,7 +70,7 @@ def border(strip: Strip) -> Iterator[shapes.Point]:
 
 def _about(strip: CertifiedStrip) -> str:
     low, high = strip.plane.x
-    delta = short((strip.plane.delta, strip.plane.delta))
+    delta = exact_number(strip.plane.delta)
     return (
         f" The line in the second panel is the curve f of the log {strip.name}: for φ₁ in "
         f"[{low}, {high}] all states with φ₂ ≤ f - {delta} collapse and all with φ₂ ≥ f + {delta} "

@@ -22,9 +22,10 @@ from verify.language.statement import (
     Publication,
 )
 from verify.language.terms import Claim, Term
-from verify.prover.decimals import short
+from verify.prover.decimals import short, told_apart
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.uses import nodes
+from verify.views.enclosures import exactly
 from verify.views.point import in_numbers
 from verify.views.tex.formulas import Formulas, safe_letter
 from verify.views.tex.sentences import name, tex_number, words
@@ -112,6 +113,7 @@ class _Part:
         self, outcome: Outcome, paper: Publication, told: Told, full: bool, number: int
     ) -> None:
         self.paper, self.full, self.number = paper, full, number
+        outcome = exactly(outcome)
         self.outcome, self.statement = outcome, outcome.statement
         tex, plain = _letters(outcome)
         self.formulas, self.names = Formulas(tex, plain), {*plain, *plain.values()}
@@ -269,7 +271,9 @@ class _Part:
         if row.uses:
             notes.append(f"with {', '.join(map(self._assumed, row.uses))}")
         if found.verdict == REFUTED:
-            notes += [words(row.severity)] if row.severity and verdict == REFUTED else []
+            notes += (
+                [words(self.paper.severity(row))] if row.severity and verdict == REFUTED else []
+            )
             better = INSTEAD_WORDS.get(verdict, "corrected by")
             notes += [f"{better} {self._named(row.corrected_by)}"] if row.corrected_by else []
         if notes:
@@ -284,7 +288,7 @@ class _Part:
 
     def _evidence(self, row: Obligation, found: Decision) -> Iterator[str]:
         sides = sides_of(row, found)
-        left, right = ("", "") if sides is None else map(short, sides)
+        left, right = ("", "") if sides is None else told_apart(*sides)
         if left and not (left + right).count("["):  # an equality has no digits on which both agree
             yield rf"left side ${tex_number(left)}$, right side ${tex_number(right)}$"
         if found.verdict == REFUTED and found.witness:

@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from verify.language.simplify import simplified, simplified_claim
-from verify.language.terms import FUNCTIONS, Claim, Term
-from verify.language.typeset import FUNCTION_NAMES, Typesetter
+from verify.language.terms import FUNCTIONS, Claim, Term, signs_in
+from verify.language.typeset import FUNCTION_NAMES, LONG, MAX_SIGNS, Typesetter, is_long
 from verify.views.mathml import in_braces
 from verify.views.mathml import letter as read_letter
 from verify.views.tex.sentences import math
@@ -21,6 +21,7 @@ from verify.views.tex.sentences import math
 LONGEST = 30
 
 _SUM, _PRODUCT, _NEGATION, _ATOM = range(4)
+_LONG = rf"\text{{{LONG}}}"
 _RELATIONS = {"<": "<", "<=": r"\le", "=": "="}
 
 
@@ -38,12 +39,16 @@ class Formulas:
 
     def claim(self, claim: Claim) -> str:
         """Two sides and their relation."""
+        if is_long(claim):
+            return _LONG
         claim = simplified_claim(claim)
         sides = map(with_tall_parentheses, (self._term(claim.lhs), self._term(claim.rhs)))
         return f" {_RELATIONS[claim.relation]} ".join(sides)
 
     def term(self, term: Term) -> str:
-        """A term, simplified."""
+        """A term, simplified, unless it is very long."""
+        if signs_in(term) > MAX_SIGNS:
+            return _LONG
         return with_tall_parentheses(self._term(simplified(term)))
 
     def symbol(self, name: str) -> str:
@@ -116,7 +121,7 @@ class Formulas:
         )
 
     def _short(self, term: Term) -> bool:
-        return len(self._plain.term(term)) <= LONGEST
+        return signs_in(term) <= MAX_SIGNS and len(self._plain.term(term)) <= LONGEST
 
     def _inside(self, term: Term, level: int) -> str:
         text = self._term(term)

@@ -116,7 +116,7 @@ def name(text: str) -> str:
 
 def tex_number(text: str) -> str:
     """A number as people write it, in math mode: ``5.9…·10⁻⁵`` or ``[0.1, 0.2]``."""
-    signs = {"·": r" \times ", "…": r"\ldots{}", ", ": r",\allowbreak\ "}
+    signs = {"·": r" \times ", "…": r"\ldots{}", "±": r"\pm{}", ", ": r",\allowbreak\ "}
     parts = []
     for piece in pieces(text):
         if isinstance(piece, Scripted):

@@ -175,6 +175,7 @@ class Notation:
         self.used = set(TAKEN.split())
         self.names = {term: name for name, term in self.kernel.names.items()}
         self.written: dict[int, tuple[str, int]] = {}
+        self.letters = 0  # in all that is written
         self.depends: dict[int, tuple[int, ...]] = {}
 
     def name(self, name: str) -> str:
@@ -206,7 +207,8 @@ class Notation:
         """A term, in brackets where it binds less than asked for."""
         if term not in self.written:
             self.written[term] = self.compose(term)
-            if len(self.written[term][0]) > MAX_LETTERS:
+            self.letters += len(self.written[term][0])
+            if len(self.written[term][0]) > MAX_LETTERS or self.letters > 100 * MAX_LETTERS:
                 raise NotAcceptedError(
                     f"a term has more than {MAX_LETTERS} letters, for --readable"
                 )

@@ -5,7 +5,8 @@ of the balls' places and velocities through it, and `verify/coq/Runs.v` makes a 
 A flight to a collision may be cut into drifts (`verify/coq/FlowDrift.v`). A scene that disperses
 ends in three pairs that never meet again; one that collapses applies the sharper theorem to the
 state that the last collision leaves (`verify/coq/FlowCollapse.v`). Which ball is which is found by
-comparing the first numbers with the scene; Coq checks that.
+comparing the first numbers with the scene; Coq checks that. Where what holds at the start shows
+that there are finitely many collisions, Coq decides the criterion (`verify/coq/FiniteScenes.v`).
 """
 
 from __future__ import annotations
@@ -48,6 +49,17 @@ BITS = 1 << 12
 #: What may come next on the way to a collision.
 FLIGHT = {"flow:collision", "flow:drift"}
 REASON = "it is no scene that disperses or collapses after collisions, each seen from one ball"
+#: The rows of a criterion by which finitely many collisions are possible, with its theorem and what
+#: that has to unfold.
+CRITERIA = {
+    ("restitution",): ("restitution", ""),
+    ("rest", "momentum"): ("momentum", "square_spin"),
+    ("far", "receding"): ("receding", "square_size total_growth"),
+    ("far", "turning"): ("turning", "square_size total_growth square_spin"),
+}
+LATER = (
+    "that there are finitely many is certain only after some collisions; Coq has no theorem on that"
+)
 #: The collisions of a theorem in Coq happen after a time.
 AT_ONCE = "two balls touch and collide at once, which no theorem in Coq allows for"
 
@@ -78,6 +90,11 @@ def about_scene(reading: Reading) -> list[str]:
     """
     found = reading.statement.rows.values()
     rows = [Applied(row.name, row.claim) for row in found if isinstance(row.claim, check.Applies)]
+    names = tuple(row.name[7:] for row in found if row.name.startswith("finite."))
+    if names:
+        if rows or names not in CRITERIA:
+            raise NotAcceptedError(LATER if rows else REASON)
+        return [*Scene(reading, [], [], collapses=False).finite(*CRITERIA[names])]
     contexts = [row.claim.context.name for row in rows]
     collapses = contexts[-2:] == COLLAPSE
     last = 2 if collapses else len(PAIRS)
@@ -226,6 +243,38 @@ class Scene:
                 flight = Way([f"{n}"], [])
                 s, c = c, s
         yield self.collapse((o, s, c)) if self.collapses else self.last((o, s, c))
+
+    def finite(self, criterion: str, unfolded: str) -> Iterator[str]:
+        """All that is added where finitely many collisions are possible, from the start on."""
+        d, r = self.dimension, _number(self.rational("r"))
+        numbers = self.inner(0, 1, 2)
+        state = " ".join(f"({_number(numbers[name])})" for name in STATE[1:])
+        yield f"""
+(* --- three balls --- *)
+
+From Coq Require Import Reals Lra.
+From Verify Require Theorem1 FlowStep FiniteScenes.
+Open Scope R_scope.{self.scene()}"""
+        proof = f"apply FiniteScenes.finite_by_{criterion}; lra."
+        if criterion != "restitution":
+            yield f"""
+Lemma the_seen_0 : FlowStep.gram {d} the_scene_0 Theorem1.B0 Theorem1.B1 Theorem1.B2 1
+  {state}.
+Proof.
+  split; unfold the_scene_0, Theorem1.to, Theorem1.relative;
+    cbn [Theorem1.dot Theorem1.position Theorem1.velocity]; field.
+Qed."""
+            names = ", ".join(f"FiniteScenes.{name}" for name in unfolded.split())
+            proof = f"""eapply FiniteScenes.finite_by_{criterion};
+    [lra | | exact the_seen_0 | ..]; [repeat split; discriminate | ..];
+    unfold {names}; lra."""
+        yield f"""
+(* All collisions, of every trajectory, are at finitely many times. *)
+Theorem three_balls : FiniteScenes.finite_after {d} {r} the_scene_0 [].
+Proof.
+  apply (FiniteScenes.run_finite {d} {r} [] the_scene_0); [lra | | reflexivity].
+  {proof}
+Qed."""
 
     def head(self) -> str:
         """The head of the file: the cited theorems, with their proofs."""

@@ -2,23 +2,35 @@
 
 `infix.py` reads and writes one formula; `read_page.py` reads a page and `write_page.py` writes one;
 what is written is read as the same statement. `smtlib.py` and `fpcore.py` read the questions of
-other programs. The room uses the language and the readers of numbers beside it. A newcomer begins
-with `infix.py`.
+other programs, with `lisp.py` and `formulas.py`; `conjunctions.py` makes rows of formulas. The room
+uses the language and the readers of numbers beside it. A newcomer begins with `infix.py`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 
 from verify.language.argument import Chapter
 from verify.language.record import Record
-from verify.language.statement import Statement
+from verify.language.statement import Context, Obligation, Statement
 from verify.prover.hint import Hint
+
+#: So many other forms of a row are tried.
+OTHERS = 3
+#: A row with its context.
+Form = tuple[Context | None, Obligation]
+NO_FORMS: Mapping[str, Iterator[Form]] = MappingProxyType({})
 
 
 class Page(Record):
-    """A statement, hints by the names of its rows, and the chapters of its argument, if any."""
+    """A statement, hints by the names of its rows, other forms of its rows, and its argument.
+
+    A form is a row that says the same, with its context, which has the same name. Each can
+    be looked at once. The chapters of an argument have every line with what it follows from.
+    """
 
     statement: Statement
     hints: Mapping[str, Hint]
+    forms: Mapping[str, Iterator[Form]] = NO_FORMS
     chapters: tuple[Chapter, ...] = ()

@@ -22,7 +22,7 @@ GOAL = "goal"
 #: What is at least 0 for any term, and for a root.
 TERMS = ("square", "root")
 _TOKEN = re.compile(
-    r"\s*(?:(?P<number>[0-9]+(?:/[0-9]+|\.[0-9]+)?)|(?P<name>[A-Za-z][A-Za-z0-9_.:-]*)|(?P<sign>[-+*^()]))"
+    r"\s*(?:(?P<number>[0-9]+(?:/[0-9]+|\.[0-9]+)?)|(?P<name>@[0-9]+|[A-Za-z][A-Za-z0-9_.:-]*)|(?P<sign>[-+*^()]))"
 )
 
 

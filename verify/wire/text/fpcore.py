@@ -7,7 +7,6 @@ each side, rounded outwards; the rows say that they hold.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from math import floor, isfinite, log10
@@ -16,7 +15,10 @@ from os.path import basename
 from verify.language.statement import NEEDED, Context, Given, Obligation, Statement, Variable
 from verify.language.terms import Claim, Term, as_term, names_of, symbol
 from verify.wire.inputs import InputError, shown
-from verify.wire.text.lisp import RELATIONS, Formulas, Source, Tree, Word
+from verify.wire.text.conjunctions import Order, TooManyCasesError, cases, is_large, named
+from verify.wire.text.formulas import FPCORE, Reader, Scope, real
+from verify.wire.text.lisp import FPCORE as WORDS
+from verify.wire.text.lisp import Names, Source, Tree, Word
 from verify.wire.text.points import a_point, estimate
 
 #: How many points are sampled, and to how many digits the spare hundredth is told.
@@ -29,7 +31,7 @@ def read_fpcore(path: str, content: bytes) -> Statement:
     Raises:
         InputError: for what is not about real numbers in bounded ranges, naming the line.
     """
-    source = Source(path, content)
+    source = Source(path, content, WORDS)
     with source.shallow():
         parts = [_Core(source, tree, number) for number, tree in enumerate(source.trees(), 1)]
         rows = [row for part in parts for row in part.rows()]
@@ -52,7 +54,7 @@ class _Core:
 
     def __init__(self, source: Source, tree: Tree, number: int) -> None:
         self.source, self.tree = source, tree
-        self.label = f"core{number}"
+        self.label = f"core-{number}"
         match tree:
             case ["FPCore", [*inputs], *rest] | ["FPCore", Word(), [*inputs], *rest] if rest:
                 *properties, self.body = rest
@@ -63,38 +65,60 @@ class _Core:
         for place, name in enumerate(self.inputs):
             if name in self.inputs[:place]:
                 raise source.error(inputs[place], f"{shown(name)} is an argument twice")
-        self.names = {old: symbol(self._name(old, number)) for old in self.inputs}
-        formulas = Formulas(source, self.names)
-        self.claims = list(self._given(self.properties.get(":pre"), formulas))
-        self.term = formulas.term(self.body)
+        self.letters = Names()
+        prefix = f"{self.label}." if number > 1 else ""
+        self.names = {old: symbol(f"{prefix}{self.letters[old]}") for old in self.inputs}
+        self.reader, self.scope = Reader(source, FPCORE), Scope()
+        self.scope.own |= {old: real(term) for old, term in self.names.items()}
+        self.claims = self._given(self.properties.get(":pre"))
+        (self.term,), self.constants = named(f"{self.label}.part-", [self._body()])
         self.givens = [Given(f"{self.label}.{i}", c) for i, c in enumerate(self.claims, 1)]
         self.variables = [term.name for term in self.names.values()]
         self.point = self._point()
 
     def _table(self, properties: list[Tree]) -> dict[str, Tree]:
+        """The properties, of which each stands there once."""
+        found: dict[str, Tree] = {}
         if len(properties) % 2:
             raise self.source.error(self.tree, "each property, such as :pre, has one value")
-        return {str(k): v for k, v in zip(properties[::2], properties[1::2], strict=True)}
+        for key, value in zip(properties[::2], properties[1::2], strict=True):
+            if not (isinstance(key, Word) and key.startswith(":")):
+                raise self.source.error(key, "is no property; write a name such as :pre")
+            if key in found:
+                raise self.source.error(key, f"{key} stands there twice; write it once")
+            found[key] = value
+        return found
 
     def _input(self, item: Tree) -> str:
         if not isinstance(item, Word):
             raise self.source.error(item, "an input has to be a name; sizes cannot be used")
+        if not item.is_symbol or item in FPCORE.words:
+            raise self.source.error(item, f"{shown(item)} cannot be a name; choose another one")
         return str(item)
 
-    def _name(self, old: str, number: int) -> str:
-        plain = re.sub(r"[^A-Za-z0-9_]", "_", old)
-        return f"c{number}.{plain}" if number > 1 or not plain[:1].isalpha() else plain
-
-    def _given(self, tree: Tree | None, formulas: Formulas) -> Iterator[Claim]:
-        if tree is None or tree == "TRUE":
-            return
-        if isinstance(tree, list) and tree[:1] == ["and"]:
-            for part in tree[1:]:
-                yield from self._given(part, formulas)
-        elif isinstance(tree, list) and tree and tree[0] in RELATIONS:
-            yield from formulas.comparison(tree)
-        else:
+    def _given(self, tree: Tree | None) -> list[Claim]:
+        """The claims of the precondition."""
+        if tree is None:
+            return []
+        formula, order = self.reader.formula(tree, self.scope), Order()
+        try:
+            found = cases([formula], order)
+        except TooManyCasesError as error:
+            raise self.source.error(
+                tree, "write the precondition as comparisons, with and"
+            ) from error
+        if len(found) > 1:
             raise self.source.error(tree, "write the precondition as comparisons, with and")
+        claims = found[0] if found else [as_term(1) <= 0]
+        if is_large([side for claim in claims for side in (claim.lhs, claim.rhs)]):
+            raise self.source.error(tree, "with its names written out it is too long; ask for less")
+        return claims
+
+    def _body(self) -> Term:
+        found = self.reader.real(self.body, self.scope)
+        if len(found) > 1:
+            raise self.source.error(self.body, "if cannot be used here; write a core for each case")
+        return found[0][1]
 
     def _point(self) -> dict[str, Term]:
         found = a_point(self.variables, self.givens, {})
@@ -104,9 +128,19 @@ class _Core:
 
     def context(self) -> Context:
         """All inputs that satisfy the precondition."""
-        letters = [Variable(term.name, old, old) for old, term in self.names.items()]
-        says = str(self.properties.get(":name", "")).strip('"')
-        return Context(self.label, tuple(letters), tuple(self.givens), self.point, None, says)
+        letters = [
+            Variable(term.name, *[self.letters.letter(old)] * 2) for old, term in self.names.items()
+        ]
+        says = " ".join(str(self.properties.get(":name", "")).strip('"').split())
+        return Context(
+            self.label,
+            tuple(letters),
+            tuple(self.givens),
+            self.point,
+            None,
+            says,
+            self.constants,
+        )
 
     def rows(self) -> Iterator[Obligation]:
         """That the expression is between two bounds."""
@@ -119,10 +153,13 @@ class _Core:
         below, above = floor((low - spare) / unit) * unit, -floor(-(high + spare) / unit) * unit
         claims = {"low": as_term(below) <= self.term, "high": self.term <= as_term(above)}
         for name, claim in claims.items():
-            yield Obligation(f"{self.label}.{name}", "", "", NEEDED, "", claim, context=self.label)
+            yield Obligation(f"{self.label}-{name}", "", "", NEEDED, "", claim, context=self.label)
 
     def _value(self, at: Mapping[str, float]) -> float:
-        return estimate(self.term, at)
+        values = dict(at)
+        for constant in self.constants:
+            values[constant.name] = estimate(constant.term, values)
+        return estimate(self.term, values)
 
     def _samples(self) -> Iterator[dict[str, float]]:
         """Points of the precondition, corners of its box among them; the same in each run."""
@@ -141,7 +178,7 @@ class _Core:
         lows = [estimate(c.lhs, {}) for c in self.claims if c.rhs == symbol(name)]
         highs = [estimate(c.rhs, {}) for c in self.claims if c.lhs == symbol(name)]
         found = [[x for x in ends if isfinite(x)] for ends in (lows, highs)]
-        if name in names_of(self.term) and not all(found):
+        if name in names_of(self.term, *(c.term for c in self.constants)) and not all(found):
             letter = name.rpartition(".")[2]
             raise self.source.error(
                 self.tree, f"{letter} has no bounds; write for example :pre (<= 0 {letter} 1)"

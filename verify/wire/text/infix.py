@@ -10,8 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from functools import reduce
-from itertools import accumulate
+from itertools import accumulate, starmap
 from types import MappingProxyType
 
 from verify.language.fold import fold
@@ -473,13 +472,18 @@ class _Reader:
     def _dot(self) -> Term:
         """The rest of ``dot(x, z)``."""
         if not self.names.gram:
-            raise self.error("no inner products are known here; write gram in its context")
+            raise self.error(
+                "no inner products are known here; write gram or products in its context"
+            )
         x = self._vector()
         if not self.take(","):
             raise self.error("an inner product is of two vectors; write dot(x, z)")
         z = self._vector()
         self.expect(")")
-        return dot(self.names.gram, x, z)
+        try:
+            return dot(self.names.gram, x, z)
+        except ValueError as error:
+            raise self.error(str(error)) from error
 
     def _vector(self) -> Combination:
         """A combination of vectors, up to the comma or the parenthesis after it."""
@@ -538,7 +542,10 @@ class _Reader:
                 raise self.error(f"{self.next_word()}, and does not belong there")
         del self.indices[letter]
         self.at = end
-        return reduce(SUMS[word], terms)
+        while len(terms) > 1:  # a tree of small height, as long ones nest too deeply otherwise
+            pairs = zip(terms[::2], terms[1::2], strict=False)
+            terms = [*starmap(SUMS[word], pairs), *terms[len(terms) // 2 * 2 :]]
+        return terms[0]
 
     def _next_comma(self) -> int:
         """Where the argument ends that begins here."""

@@ -7,21 +7,39 @@ hold at the one that is chosen.
 from __future__ import annotations
 
 import math
+from collections import defaultdict
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
+from math import isqrt
 
 from verify.language.fold import RATIONAL, MissingOperationError, fold
 from verify.language.statement import Given
-from verify.language.terms import Claim, Term, as_term, names_of, substitute, symbol
+from verify.language.terms import (
+    Claim,
+    Term,
+    as_term,
+    names_of,
+    parts_of,
+    sqrt,
+    substitute,
+    symbol,
+)
 
-#: How many candidates are looked at.
-MOST = 20_000
+#: How many candidates are looked at one variable after another.
+MOST = 2_000
+#: Parts of givens that are looked at in all: about so many fifths of a microsecond.
+WORK = 10_000_000
+#: Fractions with larger denominators come near solutions of equations by accident.
+SIMPLE = 100
+#: The exponential of this is beyond all floats.
+MOST_EXPONENT = 709.0
 #: Two numbers that are as near as this are taken for equal.
 NEAR = 1e-9
 
 _SIMPLE = tuple(map(Fraction, ("1", "0", "1/2", "2", "-1", "-1/2", "1/10", "3", "10", "-2", "100")))
 _ALGEBRA: Mapping[str, Callable[..., float]] = {
-    **{name: getattr(math, name) for name in ("sqrt", "exp", "log", "sin", "cos", "atan")},
+    **{name: getattr(math, name) for name in ("sqrt", "log", "sin", "cos", "atan")},
+    "exp": lambda x: math.exp(x) if x < MOST_EXPONENT else math.inf,
     "pi": lambda: math.pi,
     "cos_pi": lambda x: math.cos(math.pi * x),
     "min": min,
@@ -60,16 +78,51 @@ def a_point(
     ``values`` has about what the other names stand for, those that vary ``around`` at one point.
     """
     claims = [given.claim for given in givens]
+    found = _one_by_one(variables, claims, values, around)
+    return _in_the_middle(variables, claims, values) if found is None else found
+
+
+def contradiction(variables: Sequence[str], givens: Sequence[Given]) -> str:
+    """A sum of linear givens that cannot hold, in words; nothing if none was found."""
+    from verify.prover.search.interior import contradiction_of  # only where it is needed
+
+    found = contradiction_of(variables, [given.claim for given in givens])
+    return "" if found is None else found.words
+
+
+def _in_the_middle(
+    variables: Sequence[str], claims: Sequence[Claim], values: Mapping[str, float]
+) -> dict[str, Term] | None:
+    """Numbers for the variables, by a linear programme and near the places that violate least."""
+    from verify.prover.search.interior import interior  # only where it is needed
+
+    def holds(point: Sequence[Fraction]) -> bool:
+        exact = {symbol(name): x for name, x in zip(variables, point, strict=True)}
+        at = dict(values) | dict(zip(variables, map(float, point), strict=True))
+        return all(_seems(claim, at) and _may_hold(claim, exact) for claim in claims)
+
+    found = interior(variables, claims, values, holds)
+    return None if found is None else dict(zip(variables, map(as_term, found), strict=True))
+
+
+def _one_by_one(
+    variables: Sequence[str],
+    claims: Sequence[Claim],
+    values: Mapping[str, float],
+    around: Collection[str],
+) -> dict[str, Term] | None:
+    """Terms for the variables, each chosen after those before it."""
     tried = iter(range(MOST))
 
     def complete(found: dict[str, Term], at: dict[str, float]) -> dict[str, Term] | None:
         if len(found) == len(variables):
             return found
         name = variables[len(found)]
-        open_names = {*variables[len(found) + 1 :]}
-        ready = [c for c in claims if not open_names & {*names_of(c.lhs, c.rhs)}]
+        ready = complete_at[len(found)]
+        left[0] -= sum(parts.values())
         for term in _candidates(name, claims, found, at, around):
-            if next(tried, None) is None:
+            left[0] -= len(at) + sum(parts[claim] for claim in ready)
+            if next(tried, None) is None or left[0] < 0:
                 return None
             there = at | {name: estimate(term, at)}
             if all(_seems(claim, there) for claim in ready):
@@ -78,7 +131,17 @@ def a_point(
                     return result
         return None
 
-    return complete({}, dict(values))
+    places = {name: i for i, name in enumerate(variables)}
+    complete_at: dict[int, list[Claim]] = defaultdict(list)  # by the last variable of a claim
+    for claim in claims:
+        found = (places.get(name, 0) for name in names_of(claim.lhs, claim.rhs))
+        complete_at[max(found, default=0)].append(claim)
+    parts = {claim: sum(1 for _ in parts_of(claim.lhs, claim.rhs)) for claim in claims}
+    left = [WORK]
+    try:
+        return complete({}, dict(values))
+    except RecursionError:
+        return None
 
 
 def _seems(claim: Claim, at: Mapping[str, float]) -> bool:
@@ -90,6 +153,17 @@ def _seems(claim: Claim, at: Mapping[str, float]) -> bool:
         case "<=":
             return left <= right + near
     return abs(left - right) <= near
+
+
+def _may_hold(claim: Claim, at: Mapping[Term, Fraction]) -> bool:
+    """False for an equation between different numbers, or that long numbers only seem to solve."""
+    if claim.relation != "=":
+        return True
+    try:
+        left, right = (fold(side, RATIONAL, dict(at)) for side in (claim.lhs, claim.rhs))
+    except (ArithmeticError, MissingOperationError):
+        return all(x.denominator <= SIMPLE for x in at.values())
+    return bool(left == right)
 
 
 def _candidates(
@@ -114,24 +188,35 @@ def _candidates(
         yield high[1] - 1 if moves else as_term(math.ceil(high[0]) - 1)
     yield from ends
     for claim in claims:
-        solution = _solution(name, claim, found) if claim.relation == "=" else None
-        if solution is not None:
-            yield as_term(solution)
+        if claim.relation == "=":
+            yield from _solutions(name, claim, found)
     yield from map(as_term, _SIMPLE)
 
 
-def _solution(name: str, claim: Claim, found: Mapping[str, Term]) -> Fraction | None:
-    """The value of a variable that solves an equation, in which it is linear, exactly."""
+def _solutions(name: str, claim: Claim, found: Mapping[str, Term]) -> Iterator[Term]:
+    """The values of a variable that solve an equation of degree 1 or 2 in it, exactly."""
     gap = substitute(claim.lhs - claim.rhs, found)
 
     def at(value: int) -> Fraction:
         return fold(gap, RATIONAL, {symbol(name): Fraction(value)})
 
     try:
-        zero, one, two = map(at, (0, 1, 2))
+        zero, one, two, three = map(at, range(4))
     except (ArithmeticError, MissingOperationError):
-        return None
-    return zero / (zero - one) if two - one == one - zero != 0 else None
+        return
+    a = (two - 2 * one + zero) / 2
+    b = one - zero - a
+    if three - 3 * two + 3 * one - zero or not (a or b):
+        return
+    if not a:
+        yield as_term(-zero / b)
+    elif b * b >= 4 * a * zero:
+        middle, square = -b / (2 * a), (b * b - 4 * a * zero) / (4 * a * a)
+        roots = (isqrt(square.numerator), isqrt(square.denominator))
+        is_square = Fraction(*roots) ** 2 == square
+        distance = as_term(Fraction(*roots)) if is_square else sqrt(square)
+        for root in (distance, -distance):
+            yield as_term(middle) + root if middle else root
 
 
 Bound = tuple[float, Term]
@@ -143,13 +228,16 @@ def _bounds(
     """The terms that are below and above a variable, with about their values."""
     lows: list[Bound] = []
     highs: list[Bound] = []
+    others = {key: x for key, x in at.items() if key != name}
     for claim in claims:
         for side, other, bounds in (
             (claim.lhs, claim.rhs, [highs]),
             (claim.rhs, claim.lhs, [lows]),
         ):
-            value = estimate(other, {key: x for key, x in at.items() if key != name})
-            if side.op == "symbol" and side.name == name and math.isfinite(value):
+            if side.op != "symbol" or side.name != name:
+                continue
+            value = estimate(other, others)
+            if math.isfinite(value):
                 for one in bounds if claim.relation != "=" else (lows, highs):
                     one.append((value, substitute(other, found)))
     return lows, highs

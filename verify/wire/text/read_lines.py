@@ -17,15 +17,18 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from verify.language.argument import (
     ByApplying,
+    ByCases,
     ByEntry,
     ByInduction,
     ByInstance,
     ByInterval,
     ByLeast,
+    ByNames,
+    ByNegation,
     ByRoot,
     BySum,
     ByWitness,
@@ -36,28 +39,33 @@ from verify.language.argument import (
     Reason,
     ToBeFound,
 )
-from verify.language.statement import Always, Applies, Obligation
+from verify.language.statement import REFUTED, Always, Applies, Obligation
 from verify.language.terms import Claim, Term, names_of, substitute_claim
 from verify.wire.inputs import nearest, shown
 from verify.wire.text.by import Facts, read_by
 from verify.wire.text.infix import read_term
-
-if TYPE_CHECKING:
-    from verify.wire.text.read_page import Reader
+from verify.wire.text.page_tables import Reader
 
 CHAPTER = ("in", "group", "label", "says", "uses", "let", "at", "by", "rows")
 LINE = (
     *("lemma", "claim", "applies", "at", "always", "start", "next", "instance"),
     *("says", "label", "uses", "role", "severity", "corrected_by"),
-    *("by", "using", "plus", "rule", "of", "side", "false_at"),
+    *("by", "using", "plus", "rule", "of", "side", "false_at", "verdict"),
 )
+#: What stands in place of a text where a sum for one entry replaces names.
+BRANCH = ("by", "using", "plus")
 #: What a line is.
 KINDS = ("lemma", "claim", "applies", "always", "instance")
 #: Rules that are named, since no facts are added.
-RULES = ("entry", "root", "interval")
+RULES = ("cases", "entry", "root", "interval")
 AT = re.compile(r"\s*([A-Za-z][A-Za-z0-9_.:-]*)\s+at\s+([A-Za-z][A-Za-z0-9_-]*)\s*")
 
 Keys = Sequence[str]
+
+
+def read_chapters(page: Reader, value: object) -> tuple[Chapter, ...]:
+    """The chapters of a page whose contexts have been read."""
+    return Lines(page).chapters(value)
 
 
 class Lines:
@@ -166,14 +174,23 @@ class Lines:
         if kind in ("lemma", "instance"):
             self._known(line, home)
             return line
+        if "verdict" in table:
+            line = line._replace(reason=self._negation(keys, table["verdict"], line.reason))
         fields = self.page.fields(keys, {**_fields(chapter, _FIELDS[:4]), **_fields(table)})
         line = line._replace(label=fields["label"], says=fields["says"], uses=fields["uses"])
         self.page.rows[name] = Obligation(name=name, claim=claim, context=home, **fields)
         self._known(line, home)
         return line
 
+    def _negation(self, keys: Keys, verdict: object, reason: Reason) -> ByNegation:
+        """The reason, for the negation of the claim."""
+        if verdict != REFUTED:
+            what = f"{shown(str(verdict))} is no verdict here; write {REFUTED!r}, or leave it out"
+            raise self.places.error([*keys, "verdict"], what.replace("'", '"'))
+        return ByNegation(reason)
+
     def _known(self, line: Line, home: str | None) -> None:
-        if isinstance(line.claim, Claim) and not isinstance(line.reason, ByWitness):
+        if isinstance(line.claim, Claim) and not isinstance(line.reason, ByWitness | ByNegation):
             self.claims[line.name], self.homes[line.name] = line.claim, home
 
     def _claim(self, keys: Keys, value: object, home: str | None) -> Claim:
@@ -220,6 +237,10 @@ class Lines:
         self, keys: Keys, kind: str, table: Mapping[str, Any], home: str | None
     ) -> Applies | Always:
         name = self.page.text([*keys, kind], table[kind], "the name of a context")
+        if kind == "applies" and name in self.page.contexts_cited:
+            variables, _ = self.page.contexts_cited[name]
+            inside = self.page.scope.inside(home)
+            return Applies(name, self.page.at(keys, "at", table, variables, inside))
         if name not in self.page.contexts:
             raise self.places.error([*keys, kind], self.page.no_context(name))
         if kind == "applies":
@@ -251,17 +272,15 @@ class Lines:
             values = self._values([*keys, "at"], table.get("at"), self.homes[fact] or "", home)
             return ByInstance(fact, values, self._names([*keys, "by"], by))
         if "rule" in table:
-            return self._rule(keys, table)
+            return self._rule(keys, table, home)
         if by is None and "using" not in table and "plus" not in table:
             return ToBeFound()
         if isinstance(by, list):
-            branches = tuple(self._sum(keys, {"by": text}, home) for text in by)
-            of = table.get("of")
             side = self.page.text([*keys, "side"], table.get("side", "rhs"), "lhs or rhs")
-            return ByLeast(branches, of, side)
+            return ByLeast(self._branches(keys, by, home), table.get("of"), side)
         return self._sum(keys, table, home)
 
-    def _rule(self, keys: Keys, table: Mapping[str, Any]) -> Reason:
+    def _rule(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> Reason:
         rule = self.page.text([*keys, "rule"], table["rule"], "the name of a rule")
         if rule == "root":
             return ByRoot()
@@ -269,33 +288,63 @@ class Lines:
             return ByInterval()
         if rule == "entry":
             return ByEntry(table.get("of"), table.get("side", "lhs"))
+        if rule == "cases":
+            return self._cases(keys, table, home)
         instead = nearest(rule, RULES, f"write {', '.join(RULES)}")
         raise self.places.error([*keys, "rule"], f"{shown(rule)} is no rule here; {instead}")
 
-    def _sum(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> BySum:
+    def _cases(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> ByCases:
+        """A sum for each entry of a minimum or maximum; ``@1``, ... name what holds there."""
+        of = self.page.term([*keys, "of"], table.get("of", ""), self.page.scope.inside(home))
+        by = table.get("by")
+        if of.op not in ("min", "max") or not isinstance(by, list):
+            what = 'write of = "min(a, b)", or max, and by = [...] with a sum for each entry'
+            raise self.places.error(keys, what)
+        assumed = tuple(f"@{i}" for i, _ in enumerate(of.children, 1))
+        return ByCases(of, self._branches(keys, by, home, assumed))
+
+    def _sum(
+        self, keys: Keys, table: Mapping[str, Any], home: str | None, assumed: Sequence[str] = ()
+    ) -> BySum | ByNames:
         inside = self.page.scope.inside(home)
         place = [*keys, "by"]
         text = self.page.text(place, table.get("by", ""), "names of facts")
-        known = [*self.claims, *self.homes]
+        known = [*self.claims, *self.homes, *assumed]
 
         def term(inner: str) -> Term:
             return read_term(self.places.where(place, text), inner, inside)
 
         addends = read_by(self.places.where(place, text), text, known, term)
-        using = self._names([*keys, "using"], table.get("using", ""))
+        using = self._names([*keys, "using"], table.get("using", ""), assumed)
         plus = self.page.values([*keys, "plus"], table.get("plus", {}), inside)
         for fact in plus:
             self._fact([*keys, "plus"], fact)
         equations = tuple(plus.items())
-        if isinstance(addends, Facts):
-            addends = tuple(addends)
-        return BySum(addends, using, equations)
+        if not isinstance(addends, Facts):
+            return BySum(addends, using, equations)
+        if using or equations:
+            return BySum((), using, equations)
+        return ByNames(tuple(addends))
 
-    def _names(self, keys: Keys, value: object) -> tuple[str, ...]:
+    def _branches(
+        self, keys: Keys, by: Sequence[object], home: str | None, assumed: Sequence[str] = ()
+    ) -> tuple[BySum, ...]:
+        """The sums for the entries of a minimum or maximum."""
+        return tuple(self._branch([*keys, "by"], entry, home, assumed) for entry in by)
+
+    def _branch(self, keys: Keys, entry: object, home: str | None, assumed: Sequence[str]) -> BySum:
+        table = entry if isinstance(entry, dict) else {"by": entry}
+        found = self._sum(keys, self.page.table(keys, table, BRANCH), home, assumed)
+        if isinstance(found, BySum):
+            return found
+        raise self.places.error(keys, 'write the products for each entry: "goal + a*b"')
+
+    def _names(self, keys: Keys, value: object, assumed: Sequence[str] = ()) -> tuple[str, ...]:
         """The facts of which a text has the names."""
         names = self.page.text(keys, value, "names of facts").split()
         for name in names:
-            self._fact(keys, name)
+            if name not in assumed:
+                self._fact(keys, name)
         return tuple(names)
 
     def _fact(self, keys: Keys, name: str) -> None:
@@ -330,11 +379,15 @@ def _terms(line: Line) -> Iterator[Term]:
         yield from claim.at.values()
     else:
         yield from (*claim.start.values(), *claim.next.values())
-    reason = line.reason
-    for part in (reason, *(reason.branches if isinstance(reason, ByLeast) else ())):
+    reason = line.reason.reason if isinstance(line.reason, ByNegation) else line.reason
+    if isinstance(reason, ByCases):
+        yield reason.of
+    for part in (reason, *(reason.branches if isinstance(reason, ByLeast | ByCases) else ())):
         if isinstance(part, BySum):
             yield from (term for _, term in part.equations)
             yield from (term for value in part.addends for term in _squared(value))
+        if isinstance(part, ByNames):
+            yield from (term for value in part.facts for term in _squared(value))
         if isinstance(part, ByInstance):
             yield from part.values.values()
 
@@ -349,8 +402,17 @@ def _squared(value: object) -> Iterator[Term]:
 
 def _facts(reason: Reason) -> Iterator[str]:
     """The names of equations that a reason uses, which may define constants."""
-    if isinstance(reason, BySum):
+    if isinstance(reason, ByNegation):
+        yield from _facts(reason.reason)
+    elif isinstance(reason, BySum):
         yield from reason.using
         yield from (name for name, _ in reason.equations)
-    elif isinstance(reason, ByLeast | ByEntry) and reason.equation:
+    elif isinstance(reason, ByNames):
+        yield from (fact for fact in reason.facts if isinstance(fact, str))
+    elif isinstance(reason, ByLeast | ByCases):
+        yield from (name for branch in reason.branches for name in _facts(branch))
+        yield from [reason.equation] if isinstance(reason, ByLeast) and reason.equation else []
+    elif isinstance(reason, ByEntry) and reason.equation:
         yield reason.equation
+    elif isinstance(reason, ByApplying | ByInstance):
+        yield from reason.givens

@@ -1,256 +1,332 @@
 """Questions of SMT-LIB 2 about real numbers (QF_NRA): is there a solution of these assertions?
 
-The row of a conjunction says that it has none: for all values that satisfy most of its parts, what
-is left of it is false. So *proved* is ``unsat``, with a certificate, and *refuted* is ``sat``, with
-the witness as a solution. A file with disjunctions has a row for each case, and no solution if all
-are proved. Which parts are givens is chosen so that a point is found at which they hold.
+Each `(check-sat)` asks whether what is asserted by then has a solution. The rows of a question say
+that it has none, one for each of its cases. So *proved* is ``unsat``, with a certificate, and
+*refuted* is ``sat``, with the witness as a solution. A file without `(check-sat)` asks once, at its
+end. What a file says is done or refused: the commands that are passed over ask for something to be
+printed, and change no answer.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import chain, product
+from collections.abc import Callable, Iterator, Mapping
+from itertools import chain
 from os.path import basename
-from sys import maxsize
 
-from verify.language.statement import NEEDED, Context, Given, Obligation, Statement, Variable
-from verify.language.terms import Claim, Term, as_term, maximum, substitute_claim, symbol
+from verify.language.record import Record
+from verify.language.statement import Statement, Variable
+from verify.language.terms import Claim, as_term, names_of, substitute_claim, symbol
 from verify.wire.inputs import InputError, shown
-from verify.wire.text.lisp import RELATIONS, Formulas, Source, Tree, Word
-from verify.wire.text.points import a_point
-
-#: A file whose disjunctions have more cases than this is refused.
-MAX_CASES = 64
-#: Commands that say nothing about the numbers.
-SILENT = (
-    *("set-info", "set-option", "set-logic", "check-sat", "get-model", "exit", "get-unsat-core"),
-    *("get-value", "get-info", "echo", "push", "pop", "get-assignment", "minimize", "maximize"),
+from verify.wire.text import Page
+from verify.wire.text.conjunctions import (
+    Asked,
+    Order,
+    TooManyCasesError,
+    cases,
+    forms,
 )
-Cases = list[list[Claim]]
-#: How many parts formulas need, at least and at most.
-PARTS = {"not": (1, 1), "let": (2, 2), "=>": (1, maxsize), "!": (1, maxsize)}
+from verify.wire.text.formulas import (
+    BOOL,
+    MAX_CASES,
+    REAL,
+    SMTLIB,
+    Formula,
+    Function,
+    Reader,
+    Value,
+    real,
+)
+from verify.wire.text.lisp import SMTLIB as WORDS
+from verify.wire.text.lisp import Names, Source, Tree, Word
+
+#: A file has at most so many rows, and scopes inside of one another.
+MAX_ROWS, MAX_LEVELS = 256, 1000
+#: Commands that change no answer.
+SILENT = (
+    *("set-info", "get-info", "get-option", "get-model", "get-value", "get-assignment"),
+    *("get-assertions", "get-proof", "get-unsat-core", "get-unsat-assumptions", "echo"),
+)
+#: Options that change no answer, whatever their values are.
+OPTIONS = (
+    *(":produce-models", ":produce-proofs", ":produce-unsat-cores", ":produce-assignments"),
+    *(":produce-unsat-assumptions", ":produce-assertions", ":interactive-mode", ":print-success"),
+    *(":random-seed", ":verbosity", ":reproducible-resource-limit", ":regular-output-channel"),
+    *(":diagnostic-output-channel", ":incremental", ":precision", ":timeout"),
+)
+#: Logics with real numbers; what they have beside them is refused where it stands.
+LOGICS = (
+    *("QF_NRA", "QF_LRA", "QF_RDL", "QF_NRAT", "QF_UFNRA", "QF_UFLRA", "QF_NIRA", "QF_LIRA"),
+    *("NRA", "LRA", "NRAT", "UFNRA", "UFLRA", "NIRA", "LIRA", "ALL"),
+)
+#: What is said of rows that have nothing to prove, and of those that nothing proves.
+CONTRADICTORY = "what is asserted contradicts itself, as it is written"
+NOTHING = "nothing is asserted, and this is false"
+FALSE = as_term(0) < 0
 
 
-def read_smtlib(path: str, content: bytes) -> Statement:
-    """The statement that the assertions of a file have no solution.
+def read_smtlib(path: str, content: bytes) -> Page:
+    """The statement that no question of a file has a solution, and other forms of its rows.
 
     Raises:
         InputError: for what is not about real numbers, naming the line.
     """
-    file = _File(Source(path, content))
+    file = _File(Source(path, content, WORDS))
     with file.source.shallow():
-        for tree in file.source.trees():
-            file.command(tree)
-        cases = _conjunctions(file, file.asserted)
-        parts = [_part(path, file, number, case) for number, case in enumerate(cases, 1)]
+        file.read()
+        parts = {asked.row: forms(asked, claims, file.order) for asked, claims in file.rows()}
+        first = [next(found) for found in parts.values()]
     name = basename(path)
-    return Statement(
-        name,
-        f"no real numbers satisfy the assertions of {name}",
-        {},
-        (),
-        tuple(context for context, _ in parts),
-        tuple(row for _, row in parts),
-        (),
-    )
+    title = f"no real numbers satisfy the assertions of {name}"
+    if len(file.questions) > 1:
+        title = f"at no (check-sat) of {name} do real numbers satisfy the assertions"
+    contexts = tuple(context for context, _ in first if context is not None)
+    rows = tuple(row for _, row in first)
+    return Page(Statement(name, title, {}, (), contexts, rows, ()), {}, parts)
+
+
+class _Level:
+    """What was declared and asserted since a ``(push)``."""
+
+    def __init__(self) -> None:
+        self.names: list[str] = []
+        self.asserted: list[Formula] = []
+
+
+class _Question(Record):
+    """What is asserted at a line with ``(check-sat)``; at no line, at the end of a file."""
+
+    line: int
+    asserted: tuple[Formula, ...]
 
 
 class _File:
     """What the commands of a file have said so far."""
 
     def __init__(self, source: Source) -> None:
-        self.source = source
-        self.variables: dict[str, str] = {}  # by their names in the file
-        self.formulas = Formulas(source, {})
-        self.asserted: list[Cases] = []
+        self.source, self.names, self.order = source, Names(), Order()
+        self.questions: list[_Question] = []
+        self._begin()
 
-    def command(self, tree: Tree) -> None:
-        """Do what one command says."""
-        if not isinstance(tree, list) or not tree or not isinstance(tree[0], Word):
-            raise self.source.error(tree, "is no command; write (assert ...)")
+    def _begin(self) -> None:
+        self.reader = Reader(self.source, SMTLIB)
+        self.levels = [_Level()]
+
+    def read(self) -> None:
+        """Do what the commands say, in their order, up to ``(exit)``."""
+        commands: Mapping[str, Callable[[Tree], None]] = {
+            "assert": self._assert,
+            "check-sat": self._ask,
+            "push": self._push,
+            "pop": self._pop,
+            "reset": self._reset,
+            "reset-assertions": self._reset,
+            "set-logic": self._set_logic,
+            "set-option": self._set_option,
+            **dict.fromkeys(("declare-const", "declare-fun"), self._declare),
+            **dict.fromkeys(("define-const", "define-fun"), self._define),
+            **dict.fromkeys(SILENT, lambda _: None),
+        }
+        for tree in self.source.trees():
+            if not isinstance(tree, list) or not tree or not isinstance(tree[0], Word):
+                raise self.source.error(tree, "is no command; write (assert ...)")
+            head = tree[0]
+            if head == "exit":
+                break
+            if head not in commands or head.quoted:
+                raise self.source.error(tree, f"the command {shown(head)} cannot be used")
+            commands[head](tree)
+        if not self.questions:
+            self._keep(0)
+
+    def _no(self, tree: Tree, instead: str) -> InputError:
+        return self.source.error(tree, f"this {tree[0]} cannot be used; write {instead}")
+
+    # --- names -----------------------------------------------------------------------------------
+
+    def _new(self, name: Word, value: Value | Function) -> None:
+        """Let a name of the file stand for a value, until its scope is left."""
+        if not name.is_symbol or name in SMTLIB.words:
+            raise self.source.error(name, f"{shown(name)} cannot be a name; choose another one")
+        if name in self.reader.globals.own:
+            raise self.source.error(name, f"{shown(name)} is declared twice; choose another name")
+        self.reader.globals.own[name] = value
+        self.levels[-1].names.append(name)
+
+    def _declare(self, tree: Tree) -> None:
         match tree:
-            case ["declare-fun", Word() as name, [], sort] | [
-                "declare-const",
+            case ["declare-const", Word() as name, sort] | [
+                "declare-fun",
                 Word() as name,
+                [],
                 sort,
             ]:
-                self._declare(name, sort)
-            case ["define-fun", Word() as name, [], "Real", body]:
-                self.formulas.names[name] = self.formulas.term(body)
-            case ["define-fun", Word() as name, [], "Bool", body]:
-                self.formulas.claims[name] = body, self.formulas.copy()
-            case ["assert", body]:
-                self.asserted.append(self.cases(body, self.formulas, holds=True))
-            case [head, *_] if head in SILENT:
+                pass
+            case ["declare-fun", Word() as name, [_, *_], _]:
+                raise self.source.error(
+                    name, f"the function {shown(name)} has arguments; use its values as constants"
+                )
+            case _:
+                raise self._no(tree, "(declare-const x Real)")
+        if not _is(sort, REAL):
+            said = sort if isinstance(sort, Word) else "another"
+            raise self.source.error(name, f"{shown(name)} is of the sort {said}; declare it Real")
+        self._new(name, real(symbol(self.names[name])))
+
+    def _define(self, tree: Tree) -> None:
+        match tree:
+            case ["define-const", Word() as name, sort, body]:
+                parameters: list[Tree] = []
+            case ["define-fun", Word() as name, [*parameters], sort, body]:
                 pass
             case _:
-                raise self.source.error(tree, f"the command {shown(str(tree[0]))} cannot be used")
+                raise self._no(tree, "(define-fun f ((x Real)) Real (* x x))")
+        values = self._sort(name, sort)
+        if not parameters:
+            self._new(name, self.reader.of_sort(values, body, self.reader.globals))
+            return
+        known = dict(self._parameter(name, item) for item in parameters)
+        if len(known) < len(parameters):
+            raise self.source.error(name, f"{shown(name)} has two parameters of one name")
+        function = Function(known, values, body)
+        # Whatever is wrong with the body is said here, whether the function is called or not.
+        wrong: dict[str, Value] = {
+            BOOL: Formula("claim", (), as_term(0) < 0),
+            REAL: real(symbol(" ")),
+        }
+        self.reader.called(function, tuple(wrong[sort] for _, sort in function.parameters))
+        self._new(name, function)
 
-    def _declare(self, name: Word, sort: Tree) -> None:
-        if sort != "Real":
-            raise self.source.error(name, f"{shown(name)} is of the sort {sort}; declare it Real")
-        if name in self.variables:
-            raise self.source.error(name, f"{shown(name)} is declared twice")
-        plain = re.sub(r"[^A-Za-z0-9_]+", "_", name).strip("_")
-        plain = plain if plain[:1].isalpha() and plain != "goal" else f"v_{plain}"
-        while plain in self.variables.values():
-            plain += "_"
-        self.variables[name] = plain
-        self.formulas.names[name] = symbol(plain)
+    def _parameter(self, function: Word, item: Tree) -> tuple[str, str]:
+        match item:
+            case [Word() as name, sort] if name.is_symbol and name not in SMTLIB.words:
+                return name, self._sort(name, sort)
+        raise self.source.error(function, "a parameter is a name with a sort; write (x Real)")
 
-    def cases(self, tree: Tree, formulas: Formulas, *, holds: bool) -> Cases:
-        """Conjunctions of which one has to hold, so that a formula holds; or does not."""
-        if isinstance(tree, Word):
-            return self._named(tree, formulas, holds=holds)
-        self._check_count(tree)
-        head, *rest = tree
-        if head == "not":
-            return self.cases(rest[0], formulas, holds=not holds)
-        if head == "=>":
-            *before, last = rest
-            flipped: list[Tree] = [[Word("not"), one] for one in before]
-            return self.cases([Word("or"), *flipped, last], formulas, holds=holds)
-        if head in ("let", "!"):
-            return self._inside(tree, formulas, holds=holds)
-        if head in ("and", "or"):
-            parts = [self.cases(part, formulas, holds=holds) for part in rest]
-            return _all(self, tree, parts) if (head == "and") == holds else [*chain(*parts)]
-        if head == "distinct" and len(rest) == 2:
-            return self.cases([Word("="), *rest], formulas, holds=not holds)
-        if head in RELATIONS:
-            claims = formulas.comparison(tree)
-            return [claims] if holds else [[other] for one in claims for other in _negations(one)]
-        raise self.source.error(tree, f"the formula {shown(str(head))} cannot be used")
+    def _sort(self, name: Word, sort: Tree) -> str:
+        if not (_is(sort, REAL) or _is(sort, BOOL)):
+            said = sort if isinstance(sort, Word) else "another"
+            raise self.source.error(
+                name, f"{shown(name)} is of the sort {said}; write Real or Bool"
+            )
+        return str(sort)
 
-    def _check_count(self, tree: list[Tree]) -> None:
-        """Afterwards a formula has as many parts as its operation needs."""
-        if not tree or not isinstance(tree[0], Word):
-            raise self.source.error(tree, "an operation is missing after the parenthesis")
-        head, count = tree[0], len(tree) - 1
-        least, most = PARTS.get(head, (0, count))
-        if not least <= count <= most:
-            raise self.source.error(head, f"{shown(head)} of {count} parts is no formula")
+    # --- assertions ------------------------------------------------------------------------------
 
-    def _named(self, word: Word, formulas: Formulas, *, holds: bool) -> Cases:
-        if word in ("true", "false"):
-            return [[]] if (word == "true") == holds else []
-        if word in formulas.claims:
-            body, there = formulas.claims[word]
-            return self.cases(body, there, holds=holds)
-        raise self.source.error(word, f"{shown(word)} is no formula about real numbers")
+    def _assert(self, tree: Tree) -> None:
+        match tree:
+            case ["assert", ["!", body, ":named", Word() as name]]:
+                found = self.reader.formula(body, self.reader.globals)
+                self._new(name, found)
+            case ["assert", body]:
+                found = self.reader.formula(body, self.reader.globals)
+            case _:
+                raise self._no(tree, "(assert (< x 1))")
+        self.levels[-1].asserted.append(found)
 
-    def _inside(self, tree: list[Tree], formulas: Formulas, *, holds: bool) -> Cases:
-        """What stands in a ``let``, whose names are terms or formulas, or beside attributes."""
-        if tree[0] == "!":
-            return self.cases(tree[1], formulas, holds=holds)
-        inner = formulas.copy()
-        for name, body in self.source.pairs(tree[1]):
-            if _is_formula(body, formulas):
-                inner.claims[name] = body, formulas
-            else:
-                inner.names[name] = formulas.term(body)
-        return self.cases(tree[2], inner, holds=holds)
+    def _ask(self, tree: Tree) -> None:
+        match tree:
+            case [Word() as head]:
+                self._keep(head.line)
+            case _:
+                raise self._no(tree, "(check-sat)")
 
+    def _keep(self, line: int) -> None:
+        asserted = tuple(chain.from_iterable(level.asserted for level in self.levels))
+        self.questions.append(_Question(line, asserted))
+        if len(self.questions) > MAX_ROWS:
+            raise self.source.error(line, f"it asks more than {MAX_ROWS} questions; split the file")
 
-def _is_formula(tree: Tree, formulas: Formulas) -> bool:
-    if isinstance(tree, Word):
-        return tree in formulas.claims or tree in ("true", "false")
-    head = tree[0] if tree else None
-    if head == "let" and len(tree) == 3:
-        inner = formulas.copy()
-        for name, body in formulas.source.pairs(tree[1]):
-            if _is_formula(body, formulas):
-                inner.claims[name] = body, formulas
-        return _is_formula(tree[2], inner)
-    return head in ("not", "and", "or", "=>", "distinct", *RELATIONS)
+    def _push(self, tree: Tree) -> None:
+        count = self._count(tree)
+        if len(self.levels) + count > MAX_LEVELS:
+            raise self.source.error(tree, f"more than {MAX_LEVELS} scopes are open; split the file")
+        self.levels += [_Level() for _ in range(count)]
 
+    def _pop(self, tree: Tree) -> None:
+        count = self._count(tree)
+        if count >= len(self.levels):
+            raise self.source.error(tree, f"{count} scopes are closed, {len(self.levels) - 1} open")
+        for _ in range(count):
+            for name in self.levels.pop().names:
+                del self.reader.globals.own[name]
 
-def _negations(claim: Claim) -> Iterator[Claim]:
-    """The claims of which one holds where a claim does not."""
-    if claim.relation == "=":
-        yield Claim("<", claim.lhs, claim.rhs)
-        yield Claim("<", claim.rhs, claim.lhs)
-    else:
-        yield Claim("<=" if claim.relation == "<" else "<", claim.rhs, claim.lhs)
+    def _count(self, tree: Tree) -> int:
+        match tree:
+            case [_]:
+                return 1
+            case [_, Word() as number] if re.fullmatch("0|[1-9][0-9]{0,5}", number):
+                return int(number)
+        raise self._no(tree, "(push 1) or (pop 1)")
 
+    def _reset(self, tree: Tree) -> None:
+        """Take all assertions back, and all declarations with them."""
+        if len(tree) > 1:
+            raise self._no(tree, f"({tree[0]})")
+        self._begin()
 
-def _all(file: _File, tree: Tree | None, parts: Sequence[Cases]) -> Cases:
-    """The cases in which one case of each part holds."""
-    count = 1
-    for part in parts:
-        count *= len(part)
-    if count > MAX_CASES:
-        raise file.source.error(tree, f"it has {count} cases; split it into several files")
-    return [[claim for claims in choice for claim in claims] for choice in product(*parts)]
+    # --- what changes no answer ------------------------------------------------------------------
 
+    def _set_logic(self, tree: Tree) -> None:
+        match tree:
+            case [_, Word() as logic] if logic in LOGICS:
+                return
+        raise self._no(tree, f"(set-logic QF_NRA), or one of {', '.join(LOGICS[1:])}")
 
-def _conjunctions(file: _File, asserted: Sequence[Cases]) -> Cases:
-    found = _all(file, None, asserted) if asserted else []
-    if not found or not all(found):
-        what = "asserts nothing" if not asserted else "has a case without a comparison"
-        raise InputError(f"{file.source.path}: {what}; write (assert (< x 1))")
-    return found
+    def _set_option(self, tree: Tree) -> None:
+        match tree:
+            case [_, Word() as option, *_] if option in OPTIONS:
+                return
+            case [_, ":global-declarations", "false"]:
+                return
+            case [_, Word() as option, *_]:
+                what = f"the option {shown(option)} is not known; leave it out if no answer"
+                raise self.source.error(option, f"{what} depends on it")
+        raise self._no(tree, "(set-option :produce-models true)")
 
+    # --- rows ------------------------------------------------------------------------------------
 
-def _part(path: str, file: _File, number: int, case: list[Claim]) -> tuple[Context, Obligation]:
-    """A conjunction as a context, with the row that what is left of it is false there."""
-    prefix = "" if number == 1 else f"case{number}."
-    names = {old: symbol(f"{prefix}{plain}") for old, plain in file.variables.items()}
-    claims = [_renamed(claim, file.variables, prefix) for claim in dict.fromkeys(case)]
-    variables = [term.name for term in names.values()]
-    givens, question, point = _answerable(path, claims, variables)
-    context = Context(
-        f"case{number}",
-        tuple(Variable(v, *[v.rpartition(".")[2]] * 2) for v in variables),
-        tuple(Given(f"{prefix}g{i}", claim) for i, claim in enumerate(givens, 1)),
-        point,
-    )
-    says = "what is asserted besides is false"
-    row = Obligation(f"unsat{number}", "", "", NEEDED, says, question, context=context.name)
-    return context, row
+    def rows(self) -> Iterator[tuple[Asked, list[Claim]]]:
+        """The rows of all questions, each with the claims of its case."""
+        count = 0
+        for number, question in enumerate(self.questions, 1):
+            found = self._cases(question)
+            for case, claims in enumerate(found, 1):
+                of = f"{number}.case-{case}" if len(found) > 1 else str(number)
+                count += 1
+                yield self._row(of, question, claims, is_first=count == 1)
+            if count > MAX_ROWS:
+                raise self.source.error(
+                    question.line, f"the file has more than {MAX_ROWS} cases; split it"
+                )
+            if not found:
+                yield Asked(f"asserted-{number}", f"check-{number}", CONTRADICTORY, ()), [FALSE]
 
+    def _cases(self, question: _Question) -> list[list[Claim]]:
+        try:
+            return cases(question.asserted, self.order)
+        except TooManyCasesError as error:
+            what = f"what is asserted has more than {MAX_CASES} cases; split it into several files"
+            raise self.source.error(question.line, what) from error
 
-def _answerable(
-    path: str, claims: Sequence[Claim], variables: Sequence[str]
-) -> tuple[list[Claim], Claim, dict[str, Term]]:
-    """Givens, the claim that the rest is false, and a point of the givens: a solution if any is."""
-    solution = a_point(variables, [Given("", claim) for claim in claims], {})
-    for givens, question in _choices(claims):
-        point = solution or a_point(variables, [Given("", claim) for claim in givens], {})
-        if point is not None:
-            return givens, question, point
-    raise InputError(
-        f"{path}: no point was found at which all but one of the assertions hold; write the "
-        "question as a page of constants, with a point"
-    )
-
-
-def _renamed(claim: Claim, variables: Mapping[str, str], prefix: str) -> Claim:
-    return substitute_claim(claim, {v: symbol(f"{prefix}{v}") for v in variables.values()})
-
-
-def _choices(claims: Sequence[Claim]) -> Iterator[tuple[list[Claim], Claim]]:
-    """Givens, and the claim that what is left cannot hold too; the last part is left first.
-
-    Of parts that are left together all have to have negations of one kind.
-    """
-    for left in reversed(claims):
-        yield [claim for claim in claims if claim is not left], _denied([left])
-    closed = [claim for claim in claims if claim.relation != "<"]
-    open_ones = [claim for claim in claims if claim.relation == "<"]
-    for left_out, givens in ((closed, open_ones), (open_ones, closed)):
-        if left_out:
-            yield givens, _denied(left_out)
+    def _row(
+        self, of: str, question: _Question, claims: list[Claim], *, is_first: bool
+    ) -> tuple[Asked, list[Claim]]:
+        context = f"asserted-{of}"
+        used = {*names_of(*(side for claim in claims for side in (claim.lhs, claim.rhs)))}
+        # A name of the file that is read by now stands for one variable of the statement.
+        olds = [old for old in self.names if self.names[old] in used]
+        new = {
+            self.names[old]: self.names[old] if is_first else f"{context}.{self.names[old]}"
+            for old in olds
+        }
+        variables = tuple(Variable(new[self.names[o]], *[self.names.letter(o)] * 2) for o in olds)
+        symbols = {name: symbol(other) for name, other in new.items()}
+        where = f" at the (check-sat) in line {question.line}" if len(self.questions) > 1 else ""
+        says = f"what is asserted besides{where} is false" if claims else NOTHING
+        asked = Asked(context, f"check-{of}", says, variables)
+        return asked, [substitute_claim(claim, symbols) for claim in claims]
 
 
-def _denied(claims: Sequence[Claim]) -> Claim:
-    """The claim that not all of these hold; either all of them are strict, or none is."""
-    gaps: list[Term] = []
-    for claim in claims:
-        gap = claim.lhs - claim.rhs
-        gaps.append(gap**2 if claim.relation == "=" else gap)
-    relation = "<=" if claims[0].relation == "<" else "<"
-    if len(claims) == 1 and claims[0].relation != "=":
-        return Claim(relation, claims[0].rhs, claims[0].lhs)
-    return Claim(relation, as_term(0), gaps[0] if len(gaps) == 1 else maximum(*gaps))
+def _is(tree: Tree, word: str) -> bool:
+    return isinstance(tree, Word) and tree == word

@@ -8,6 +8,14 @@
 
 The rows of ``gram`` are the upper triangle of the Gram matrix: each vector times itself and those
 after it. Other vectors are combinations of these. Nothing is multiplied out but the sums.
+
+    [contexts.collision.products]
+    "e e" = "1"
+    "e v" = "rho"
+
+Where only some inner products are known, ``products`` lists them pair by pair. Then each summand of
+``dot(x, z)`` is the coefficient in x, that in z and the product, in the order in which the vectors
+are written; a factor 1 is written, too.
 """
 
 from __future__ import annotations
@@ -19,6 +27,10 @@ from verify.language.terms import Term, as_term
 Combination = Mapping[str, Term]
 #: The inner products of vectors, each pair in the order of the rows.
 Gram = Mapping[tuple[str, str], Term]
+
+
+class Products(dict[tuple[str, str], Term]):
+    """Those of some pairs only."""
 
 
 def gram_of(rows: Mapping[str, Sequence[Term]]) -> Gram:
@@ -37,8 +49,31 @@ def gram_of(rows: Mapping[str, Sequence[Term]]) -> Gram:
     return found
 
 
+def products_of(table: Mapping[str, Sequence[Term]]) -> Products:
+    """The inner products of the pairs of vectors that stand before them, with a space between.
+
+    Raises:
+        ValueError: for anything else than a pair, and for one that stands there twice.
+    """
+    found = Products()
+    for pair, terms in table.items():
+        names = tuple(pair.split())
+        if len(names) != 2 or len(terms) != 1:
+            raise ValueError(f'{pair!r} is no pair of vectors; write for example "e v" = "rho"')
+        if names[::-1] in found:
+            raise ValueError(f"the product of {pair!r} stands there twice")
+        found[names[0], names[1]] = terms[0]
+    return found
+
+
 def dot(gram: Gram, x: Combination, z: Combination) -> Term:
-    """The inner product of two combinations."""
+    """The inner product of two combinations.
+
+    Raises:
+        ValueError: if a product that it needs is not among those that are listed.
+    """
+    if isinstance(gram, Products):
+        return _written_out(gram, x, z)
     total: Term | None = None
     names = list(dict.fromkeys(name for name, _ in gram))
     for i in names:
@@ -47,6 +82,18 @@ def dot(gram: Gram, x: Combination, z: Combination) -> Term:
                 known = gram[(i, j) if (i, j) in gram else (j, i)]
                 part = _times(_times(x[i], z[j]), known)
                 total = part if total is None else total + part
+    return as_term(0) if total is None else total
+
+
+def _written_out(products: Products, x: Combination, z: Combination) -> Term:
+    total: Term | None = None
+    for i, p in x.items():
+        for j, q in z.items():
+            known = products.get((i, j), products.get((j, i)))
+            if known is None:
+                raise ValueError(f"the product of {i} and {j} is not known; write it in products")
+            part = p * q * known
+            total = part if total is None else total + part
     return as_term(0) if total is None else total
 
 

@@ -19,16 +19,29 @@ from verify.language.statement import (
     Statement,
     Variable,
 )
-from verify.language.terms import Claim, Term, names_of
+from verify.language.terms import Claim, Term, names_of, signs_in
+from verify.wire.inputs import InputError
 from verify.wire.text.infix import claim_text, term_text
 from verify.wire.text.letters import letter_of, tex_of
+from verify.wire.write import statement_terms
 
 #: Longer lists and tables get a line for each entry.
 WIDTH = 100
+#: About so many signs the terms of a page have at most.
+MAX_SIGNS = 1 << 20
 
 
 def page_text(statement: Statement) -> str:
-    """The page, in the order in which it is read."""
+    """The page, in the order in which it is read.
+
+    Raises:
+        InputError: if shared parts of terms, which have no names in a page, would make it too long.
+    """
+    if sum(map(signs_in, statement_terms(statement))) > MAX_SIGNS:
+        raise InputError(
+            "a page of this statement would be too long, as its terms share parts that a page "
+            "writes out; make constants of these parts"
+        )
     return "\n".join(_lines(statement)).strip() + "\n"
 
 

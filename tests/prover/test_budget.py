@@ -1,0 +1,67 @@
+"""A limit of time is kept, also where a technique counts no work or the check takes long."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+
+from tests.prover.test_interior import page
+from verify.prover import techniques
+from verify.prover.budget import SpentError, WorkBudget
+from verify.prover.proof import Proof
+from verify.prover.search.question import Question
+from verify.prover.techniques import Technique
+from verify.wire.questions import decide, read_page_of
+
+SECONDS = 1.0
+#: What a loaded machine needs besides.
+MORE = 1.5
+MANY = [f"x{i}" for i in range(20)]
+
+
+def endless(_question: Question) -> Proof | None:
+    while True:
+        pass
+
+
+def test_a_technique_that_counts_nothing_is_ended(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(techniques, "FREE", (Technique("endless", endless),))
+    asked = read_page_of("a.toml", page(["x"], ["0 <= x"], "0 <= x + 1"), {}).statement
+    begin = time.monotonic()
+    found = decide(asked, WorkBudget(seconds=SECONDS))
+    assert time.monotonic() - begin < 1.5 * SECONDS + MORE
+    assert found.decisions["row"].verdict == "undecided"
+    assert "--time" in found.decisions["row"].reason
+
+
+@pytest.mark.parametrize(
+    ("variables", "given", "row"),
+    [
+        (["x"], ["0 <= x <= 1/2"], "sum(x^k, k, 0, 500) <= 2"),
+        (["x"], ["x <= x"], "0 <= x^900 - 900*x + 899"),
+        (MANY, ["x0 <= 1"], f"0 <= ({'+'.join(MANY)})^4 + 1 - x0"),
+    ],
+)  # fmt: skip
+def test_hard_rows_end_in_time(variables: list[str], given: list[str], row: str) -> None:
+    asked = read_page_of("a.toml", page(variables, given, row), {}).statement
+    begin = time.monotonic()
+    found = decide(asked, WorkBudget(seconds=SECONDS))
+    assert time.monotonic() - begin < 1.5 * SECONDS + MORE
+    assert "search failed" not in found.decisions["row"].reason
+
+
+def test_what_is_proved_in_time_is_kept() -> None:
+    text = page(["x"], ["0 <= x <= 1/2"], "x <= 1").decode()
+    text += 'hard = "sum(x^k, k, 0, 500) <= 2"\nlast = "x <= 2"\n'
+    found = decide(read_page_of("a.toml", text.encode(), {}).statement, WorkBudget(seconds=3))
+    assert [d.verdict for d in found.decisions.values()] == ["proved", "undecided", "proved"]
+
+
+def test_an_alarm_rings_only_inside() -> None:
+    budget = WorkBudget(seconds=0.05)
+    with pytest.raises(SpentError, match="--time"), budget.alarm():
+        time.sleep(5)
+    time.sleep(0.1)
+    with WorkBudget().alarm():
+        time.sleep(0.01)

@@ -1,0 +1,348 @@
+"""What is asked in a file of SMT-LIB: scopes, names, the rows of each question, what is refused."""
+
+from __future__ import annotations
+
+import json
+import resource
+from itertools import permutations
+from pathlib import Path
+
+import pytest
+
+from verify.cli import main
+from verify.prover.budget import WorkBudget
+from verify.wire.inputs import InputError
+from verify.wire.questions import decide_page, read_page_of
+from verify.wire.text.fpcore import read_fpcore
+from verify.wire.text.smtlib import read_smtlib
+
+PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
+X = "(declare-const x Real)"
+
+
+def verdicts(text: str, work: int = 3_000_000) -> list[str]:
+    """What becomes of the rows of a file."""
+    outcome = decide_page(read_page_of("f.smt2", text.encode(), {}), WorkBudget(work))
+    return [found.verdict for _, found in outcome.rows]
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        # Each scope for itself, as in ordinary files of incremental solvers.
+        (
+            (
+                f"{X}(push 1)(assert (< x 0))(check-sat)(pop 1)(push 1)(assert (> x 0))(check-sat)"
+                "(pop 1)"
+            ),
+            [REFUTED, REFUTED],
+        ),
+        (f"{X}(push)(assert (< x 0))(pop)(assert (> x 0))(check-sat)", [REFUTED]),
+        (f"{X}(push 2)(assert (< x 0))(pop 1)(assert (> x 0))(check-sat)", [REFUTED]),
+        (f"{X}(push 2)(assert (< x 0))(pop 2)(assert (> x 0))(check-sat)", [REFUTED]),
+        (f"{X}(assert (< x 0))(push 1)(assert (> x 0))(check-sat)(pop 1)", [PROVED]),
+        (f"{X}(push 0)(assert (< x 0))(pop 0)(assert (> x 0))(check-sat)", [PROVED]),
+        # dReal's andrea_callia_01.smt2.
+        (
+            (
+                "(set-logic QF_NRA)(declare-fun x () Real)(assert (> x 0.0))(assert (< x 2.0))"
+                "(check-sat)(assert (> x 5.0))(check-sat)(exit)"
+            ),
+            [REFUTED, PROVED],
+        ),
+        (f"{X}(assert (< x 0))(exit)(assert (> x 0))(check-sat)", [REFUTED]),
+        (f"{X}(assert (< x 0))(check-sat)(exit)(nonsense)(assert (> x 0))(check-sat)", [REFUTED]),
+        (f"{X}(assert (< x 0))(check-sat)(assert (> x 0))", [REFUTED]),
+        (f"{X}(assert (< x 0))(reset-assertions){X}(assert (> x 0))(check-sat)", [REFUTED]),
+        (f"{X}(assert (< x 0))(push 3)(reset){X}(assert (> x 0))(check-sat)", [REFUTED]),
+        # A name of a scope that was left may be declared again, as something else.
+        (
+            (
+                "(push 1)(define-fun p () Bool true)(pop 1)(declare-const p Real)(assert (< p 0))"
+                "(check-sat)"
+            ),
+            [REFUTED],
+        ),
+        # An inner name hides an outer one, whatever the two are.
+        (
+            (
+                f"{X}(declare-const q Real)(assert (= q 1))(assert (= x (- 5)))"
+                "(assert (let ((p (< x 0))) (let ((p (+ x 1))) (let ((q p)) (< q 0)))))(check-sat)"
+            ),
+            [REFUTED],
+        ),
+        (f"{X}(define-fun p () Bool (< x 0))(assert (let ((p x)) (> p 0)))(check-sat)", [REFUTED]),
+        (f"{X}(assert (let ((x (+ x 1)) (y x)) (and (= x 1) (= y 0))))(check-sat)", [REFUTED]),
+        (
+            f"{X}(define-fun f ((x Real)) Real (+ x 1))(assert (= (f (f x)) 5))(check-sat)",
+            [REFUTED],
+        ),
+        # A function means what stood around its definition.
+        (
+            (
+                f"{X}(define-fun f ((y Real)) Real (+ x y))(assert (let ((x 7)) (= (f x) 7)))"
+                "(assert (< x 0))(check-sat)"
+            ),
+            [PROVED],
+        ),
+        ("(declare-const |x| Real)(assert (< x 0))(assert (> |x| 0))(check-sat)", [PROVED]),
+        ("(declare-const |5| Real)(assert (= |5| 6))(check-sat)", [REFUTED]),
+        (f"{X}(assert (! (< x 0) :named p))(assert (not p))(check-sat)", [PROVED]),
+        # Nothing is asserted; what is asserted says nothing, or contradicts itself.
+        ("(check-sat)", [REFUTED]),
+        ("(assert true)(check-sat)", [REFUTED]),
+        ("(assert false)(check-sat)", [PROVED]),
+        ("(assert (< 1 2))(check-sat)", [REFUTED]),
+        ("(assert (< 2 1))(check-sat)", [PROVED]),
+        ("(assert (and (< 1 2) (<= 3 3)))(check-sat)", [REFUTED]),
+        (f"{X}(assert (or (< x 0) (> x 0)))(assert (not (distinct x 0)))(check-sat)", [PROVED]),
+        # A bound of a modulus or minimum is two bounds.
+        (f"{X}(assert (<= (abs x) 2))(assert (< x (- 1)))(check-sat)", [REFUTED]),
+        (f"{X}(assert (< (ite (< x 0) (- x) x) 2))(assert (>= (* x x) 4))(check-sat)", [PROVED]),
+        (f"{X}(assert (< 1 (min x (- 3 x))))(assert (< 2 x))(check-sat)", [PROVED]),
+        # No point of all but one assertion: the rest is denied together.
+        (
+            (
+                f"{X}(declare-const y Real)(assert (< x 0))(assert (<= 0 x))(assert (< y 0))"
+                "(assert (<= 0 y))(check-sat)"
+            ),
+            [PROVED],
+        ),
+        (f"{X}(assert (and (< (* x x) 0) (= (* x x) (- 1))))(check-sat)", [PROVED]),
+        ("; (assert false)\n(declare-const x Real)(assert (< x 0));)\n(check-sat)", [REFUTED]),
+        ('(set-info :source "(assert false)"" (")(declare-const x Real)(check-sat)', [REFUTED]),
+    ],
+)
+def test_what_each_question_asks(text: str, wanted: list[str]) -> None:
+    assert verdicts(text) == wanted
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        *("(check-sat-assuming (p))", "(define-sort R () Real)", "(declare-sort S 0)"),
+        *("(define-fun-rec f ((x Real)) Real x)", "(define-funs-rec () ())", "(maximize x)"),
+        *("(declare-datatypes () ())", "(declare-datatype L ())", "(minimize x)", "(check)"),
+        *("(set-option :global-declarations true)", "(set-option :smt.arith.solver 2)"),
+        *("(declare-fun f (Real) Real)", "(declare-const b Bool)", "(declare-fun x () Real)"),
+        *("(define-fun x () Real 1)", "(define-fun f ((y Real) (y Real)) Real y)", "(pop 1)"),
+        *("(define-fun f ((y Real)) Real z)", "(define-fun f () Real (< x 1))", "(push x)"),
+        *("(push 0000000001)", "(pop 0)(pop 1)"),
+        *("(define-fun f ((y Int)) Real y)", "(assert (forall ((y Real)) (< y x)))", "(pop -1)"),
+        *(
+            "(assert (let ((y x) (y 1)) (< y 0)))",
+            "(assert (let ((5 x)) (< x 0)))",
+            "(check-sat 1)",
+        ),
+        *("(assert (= x E))", "(declare-const and Real)", "(declare-const |let| Real)"),
+        *("(assert (< x 0) (< x 1))", "(assert (! (< x 0) :pattern (x)))", "(push 1000000000)"),
+        *("(|assert| (< x 0))", "(set-logic QF_LIA)", "(declare-const 5 Real)", "(assert (x 1))"),
+        *(
+            "(assert (< (! x :named y) 1))",
+            "(assert (< x é))",
+            "[assert (< x 0)]",
+            "(assert (< x 1]",
+        ),
+        *("; a comment\r(assert (< x 0))", "(reset 1)", "(assert (and))", '(include "f")'),
+    ],
+)
+def test_what_is_not_understood_is_refused_with_its_line(
+    command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "f.smt2"
+    path.write_bytes(f"{X}\n(assert (< x 0))\n{command}\n(check-sat)\n".encode())
+    assert main(["prove", str(path)]) == 2
+    told = capsys.readouterr()
+    assert told.out == ""
+    assert told.err.count("\n") == 1
+    assert "line 3: " in told.err
+
+
+def test_the_worst_answer_is_the_exit_code(tmp_path: Path) -> None:
+    path = tmp_path / "f.smt2"
+    refuted, proved = (
+        "(push 1)(assert (< x 0))(check-sat)(pop 1)",
+        "(assert (< (* x x) 0))(check-sat)",
+    )
+    for text, code in ((refuted + proved, 1), (proved, 0), (proved + proved, 0)):
+        path.write_text(X + text)
+        assert main(["prove", str(path)]) == code
+
+
+def test_a_witness_has_all_variables(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "f.smt2"
+    path.write_text(f"{X}(declare-const |a b| Real)(assert (< x 0))(assert (= |a b| 3))(check-sat)")
+    assert main(["prove", str(path), "--json"]) == 1
+    (row,) = json.loads(capsys.readouterr().out)["obligations"]
+    assert row["witness"] == {"x": "-1", "v-a_20_b": "3"}
+
+
+# --- names ---------------------------------------------------------------------------------------
+
+OURS = (
+    *(
+        "goal",
+        "core1",
+        "core-1",
+        "case1",
+        "g1",
+        "l.1",
+        "t.1",
+        "u.1",
+        "check-1",
+        "asserted-1",
+        "sin",
+    ),
+    *("asserted-1.1", "asserted-1.less-", "pi", "cos_pi", "a-b", "a_b", "a.b", "v-a", "v-_1", "e"),
+)
+
+
+def test_names_of_a_file_stay_different_and_are_none_of_ours() -> None:
+    declared = "".join(f"(declare-const {name} Real)" for name in OURS)
+    chain = f"(assert (< {' '.join(OURS)}))"
+    cases = "(assert (or (< goal 0) (> goal 0)))"
+    text = f"{declared}{chain}{cases}(check-sat)(assert (< 0 e))(check-sat)"
+    statement = read_smtlib("f.smt2", text.encode()).statement
+    names = [v.name for context in statement.contexts for v in context.variables]
+    names += [given.name for context in statement.contexts for given in context.givens]
+    names += [context.name for context in statement.contexts]
+    names += [row.name for row in statement.obligations]
+    assert len({*names}) == len(names) > 4 * len(OURS)
+
+
+def test_names_of_fpcore_stay_different() -> None:
+    inputs = " ".join(name for name in OURS if name not in ("pi",))
+    bounds = " ".join(f"(<= 0 {name} 1)" for name in inputs.split())
+    core = f"(FPCore ({inputs}) :pre (and {bounds}) (- a-b a_b))"
+    statement = read_fpcore("f.fpcore", f"{core}{core}".encode())
+    names = [v.name for context in statement.contexts for v in context.variables]
+    names += [item.name for context in statement.contexts for item in (context, *context.givens)]
+    names += [row.name for row in statement.obligations]
+    assert len({*names}) == len(names)
+    letters = [variable.letter for variable in statement.contexts[0].variables]
+    assert len({*letters}) == len(OURS) - 1
+
+
+@pytest.mark.parametrize(
+    "core",
+    [
+        "(FPCore (x) :pre (<= 0 x 1) :pre (<= 0 x 2) x)",
+        "(FPCore (x) :pre (<= 0 x 1) name x)",
+        "(FPCore (x) :pre (or (<= 0 x 1) (<= 2 x 3)) x)",
+        "(FPCore (x) :pre (= 0 x) x)",
+        "(FPCore (x) :pre (<= 0 x 1) (if (< x 1/2) x (* x x)))",
+        "(FPCore (|x|) :pre (<= 0 x 1) x)",
+        "(FPCore (x 5) :pre (<= 0 x 1) x)",
+        "(FPCore (x let) :pre (<= 0 x 1) x)",
+        "(FPCore (x] :pre (<= 0 x 1) x)",
+    ],
+)
+def test_what_is_not_understood_of_fpcore_is_refused(core: str) -> None:
+    with pytest.raises(InputError, match=r"f\.fpcore, line 1: "):
+        read_fpcore("f.fpcore", core.encode())
+
+
+def test_texts_of_fpcore_end_where_they_end() -> None:
+    core = r'(FPCore (x) :name "a\" :pre (<= 5 x 6) \"" :pre (<= 0 x 1) (! :precision binary32 x))'
+    (context,) = read_fpcore("f.fpcore", core.encode()).contexts
+    assert [given.claim.rhs.op for given in context.givens].count("symbol") == 1
+
+
+# --- one answer, whatever the order ---------------------------------------------------------------
+
+ASSERTED = (
+    "(<= (- 2) x 2)",
+    "(<= (- 2) y 2)",
+    "(= (+ (* x x) (* y y)) 1)",
+    "(or (< (* x y) (- 0.51)) (> (* x y) 0.51))",
+)
+
+
+def test_the_order_of_assertions_does_not_matter() -> None:
+    found = set()
+    for order in permutations(ASSERTED):
+        asserted = "".join(f"(assert {formula})" for formula in order)
+        text = f"{X}(declare-const y Real){asserted}(check-sat)"
+        found.add(repr(read_smtlib("f.smt2", text.encode()).statement))
+    assert len(found) == 1
+    assert verdicts(text) == [PROVED, PROVED]
+
+
+#: Bounds before and behind a claim of `inequalities.json`: schwefel, and the lower bound of
+#: affine arithmetic for a polynomial of Legendre.
+SWAPPED = {
+    "magnetism": (
+        ("(<= (- 1) x 1)", "(<= (- 1) y 1)"),
+        "(not (< (- 0.26) (- (+ (* x x) (* 2 (* y y))) x)))",
+    ),
+    "heart": (("(<= 0 x 1)", "(<= 2 y 3)"), "(>= (* x (sin y)) (+ 1 (/ x y)))"),
+}
+
+
+@pytest.mark.parametrize("name", SWAPPED)
+def test_bounds_may_stand_behind_a_claim(name: str) -> None:
+    bounds, claim = SWAPPED[name]
+    for formulas in ((*bounds, claim), (claim, *bounds)):
+        asserted = "".join(f"(assert {formula})" for formula in formulas)
+        assert verdicts(f"{X}(declare-const y Real){asserted}(check-sat)") == [PROVED]
+
+
+def test_another_form_is_tried_where_the_first_is_not_decided() -> None:
+    text = f"{X}(push 1)(assert (< (exp x) (exp 1)))(assert (<= 1 x))(check-sat)(pop 1)(check-sat)"
+    assert verdicts(text) == [PROVED, REFUTED]
+
+
+# --- bombs ---------------------------------------------------------------------------------------
+
+
+def _chain(count: int, line: str) -> str:
+    """Lines in which {1} is the number before {0}."""
+    return "".join(line.format(i, i - 1) for i in range(1, count))
+
+
+def _terms(line: str) -> str:
+    """The same with x as the first of the terms t."""
+    return _chain(60, line).replace("t0", "x")
+
+
+P0, T0 = "(define-fun p0 () Bool (< x 0))", "(define-fun t0 () Real (+ x 1))"
+F0 = "(define-fun f0 ((y Real)) Real (+ y 1))"
+MODULUS = "(define-fun f ((x Real)) Real (ite (< x 0) (- x) x))"
+LETS = f"{_terms('(let ((t{0} (* t{1} t{1}))) ')}(< t59 0){')' * 59}"
+BOMBS = {
+    "and": P0 + _chain(60, "(define-fun p{0} () Bool (and p{1} p{1}))") + "(assert p59)",
+    "or": P0 + _chain(60, "(define-fun p{0} () Bool (or p{1} (=> p{1} p{1})))") + "(assert p59)",
+    "equality": P0 + _chain(60, "(define-fun p{0} () Bool (= p{1} (not p{1})))") + "(assert p59)",
+    "squares": T0 + _chain(60, "(define-fun t{0} () Real (* t{1} t{1}))") + "(assert (< t59 0))",
+    "squares in let": f"(assert {LETS})",
+    "moduli": MODULUS + _terms("(define-fun t{0} () Real (- (f t{1}) 1))") + "(assert (< t59 0))",
+    "functions": F0
+    + _chain(60, "(define-fun f{0} ((y Real)) Real (f{1} (f{1} y)))")
+    + "(assert (< (f59 x) 0))",
+    "cases": _chain(30, "(assert (or (< x {0}) (> (* x x) {0})))"),
+    "conditions": f"(assert (< {_chain(30, '(+ (ite (< x {0}) 1 x) ')}x{')' * 29} 0))",
+    "scopes": "(push 900)" * 1000,
+    "questions": "(check-sat)" * 9000,
+    "a chain": "(define-fun p0 () Bool true)"
+    + _chain(2000, "(define-fun p{0} () Bool (and (< x {0}) p{1}))")
+    + "(assert p1999)",
+}
+
+
+@pytest.mark.parametrize("name", BOMBS)
+def test_what_doubles_is_read_once_or_refused(name: str, tmp_path: Path) -> None:
+    path = tmp_path / "f.smt2"
+    path.write_text(f"{X}{BOMBS[name]}(check-sat)", encoding="utf-8")
+    before = resource.getrusage(resource.RUSAGE_SELF)
+    code = main(["prove", str(path), "--time", "2"])
+    after = resource.getrusage(resource.RUSAGE_SELF)
+    assert code in (0, 1, 2, 3)
+    assert after.ru_utime - before.ru_utime < 10
+    assert after.ru_maxrss - before.ru_maxrss < 200_000
+
+
+def test_squares_in_fpcore_are_not_written_out(tmp_path: Path) -> None:
+    path = tmp_path / "f.fpcore"
+    lets = _chain(40, "(let ((t{0} (* t{1} t{1}))) ").replace("t0", "x")
+    path.write_text(f"(FPCore (x) :pre (<= 0 x 1) {lets}t39{')' * 40}", encoding="utf-8")
+    assert main(["prove", str(path), "--time", "2"]) in (0, 3)

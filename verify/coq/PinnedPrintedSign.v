@@ -1,0 +1,85 @@
+(* Theorem 1 as the paper prints it, with < in (4.10), spelled out once more, with the words of Pinned.v,
+   and that it is false. A reader compares it with the paper; and if PrintedSign.v comes to say anything
+   else, the proofs at the end fail. *)
+From Verify Require Import Pinned PinnedClassification.
+From Verify Require Theorem1 Classification PrintedSign PrintedSignProof.
+From Coq Require Import Reals Arith.
+Open Scope R_scope.
+
+(* From x and v there are collisions without end, in finite time, in any order at first; from some
+   collision on, ball 0 meets the other two in turn. The places converge, relative to one another, and in
+   the limit minus the cosine of the angle at ball 0 is c, to within the tolerance. *)
+Definition nearly_linear d r x v c tolerance : Prop :=
+  exists places velocities time i j T at_T a b N,
+    endless d r x v places velocities time i j /\ Un_cv time T /\
+    in_turn_from N i j B0 a b /\ settles d places at_T /\
+    Rabs (minus_cosine d at_T - c) <= tolerance.
+(* (4.9) and (4.10), as printed; the power 1/3 is the cube root. *)
+Definition hypotheses_as_printed r theta_0 delta_theta : Prop :=
+  0 < r < 9 - 4 * sqrt 5 /\ PI / 2 < theta_0 <= PI /\
+  0 < - cos theta_0 < 2 * Rpower r (1 / 3) * (1 + Rpower r (1 / 3)) / (1 + r) /\ 0 < delta_theta.
+Definition as_printed : Prop :=
+  forall r theta_0 delta_theta d, (2 <= d)%nat -> hypotheses_as_printed r theta_0 delta_theta ->
+  exists set, has_interior d set /\
+    forall x v, set x v -> nearly_linear d r x v (- cos theta_0) delta_theta.
+
+(* It is false. There are such parameters for which no initial data at all collapse as it claims; that
+   is so wherever -cos theta_0 + delta_theta is below 4 sqrt(r)/(1+r). What Pinned.v calls a collapse is
+   one in this sense. *)
+Definition printed_sign_theorem : Prop :=
+  ~ as_printed /\
+  (exists r theta_0 delta_theta, hypotheses_as_printed r theta_0 delta_theta /\
+    - cos theta_0 + delta_theta < 4 * sqrt r / (1 + r)) /\
+  (forall d r x v c delta_theta, 0 < r < 1 -> c + delta_theta < 4 * sqrt r / (1 + r) ->
+    ~ nearly_linear d r x v c delta_theta) /\
+  (forall d r x v by_time c tolerance, 0 < r < 1 ->
+    collapse d r x v by_time c tolerance -> nearly_linear d r x v c tolerance).
+
+(* --- PrintedSign.v says just this ----------------------------------------------------------------- *)
+
+Lemma same_nearly_linear d r x v c tolerance :
+  PrintedSign.nearly_linear d r (placed x v) c tolerance <-> nearly_linear d r x v c tolerance.
+Proof.
+  split.
+  - intros (s & time & i & j & T & z & a & b & N & E & L & D & W & S & A).
+    exists (fun n => Theorem1.position (s n)), (fun n => Theorem1.velocity (s n)), time, i, j, T,
+      (Theorem1.position z), a, b, N.
+    split.
+    { apply same_endless. replace (fun n => placed (Theorem1.position (s n)) (Theorem1.velocity (s n))) with s; [exact E|].
+      apply FunctionalExtensionality.functional_extensionality. intros n. now destruct (s n). }
+    split; [exact L|]. split; [now apply same_turns|]. split; [exact S | exact A].
+  - intros (places & velocities & time & i & j & T & z & a & b & N & E & L & (D & W) & S & A).
+    exists (fun n => placed (places n) (velocities n)), time, i, j, T, (placed z (fun _ _ => 0)), a, b, N.
+    split; [now apply same_endless|]. repeat (split; [assumption|]). exact A.
+Qed.
+Theorem same_as_printed : PrintedSign.as_printed <-> as_printed.
+Proof.
+  split; intros A r theta_0 delta_theta d L H; destruct (A r theta_0 delta_theta d L H) as (set & I & B).
+  - exists (fun x v => set (placed x v)). split; [now apply same_interior|].
+    intros x v S. apply same_nearly_linear. now apply B.
+  - exists (fun s => set (Theorem1.position s) (Theorem1.velocity s)). split; [now apply same_interior|].
+    intros [x v] S. apply same_nearly_linear. now apply B.
+Qed.
+Theorem same_printed_sign : Theorem1.determined -> PrintedSign.printed_sign_theorem <-> printed_sign_theorem.
+Proof.
+  intros ONE. split; intros (A & B & C & D); (split; [|split; [exact B|split]]).
+  - intros P. apply A. now apply same_as_printed.
+  - intros d r x v c delta_theta R L K. apply (C d r (placed x v) c delta_theta R L). now apply same_nearly_linear.
+  - intros d r x v by_time c tolerance R K. apply same_nearly_linear, (D d r (placed x v) by_time c tolerance R).
+    now apply same_collapse.
+  - intros P. apply A. now apply same_as_printed.
+  - intros d r [x v] c delta_theta R L K. apply (C d r x v c delta_theta R L). now apply same_nearly_linear.
+  - intros d r [x v] by_time c tolerance R K. apply same_nearly_linear, (D d r x v by_time c tolerance R).
+    now apply same_collapse.
+Qed.
+
+(* --- what is proved ------------------------------------------------------------------------------- *)
+
+Check (PrintedSignProof.printed_sign_theorem_holds : PrintedSign.printed_sign_theorem).
+Theorem printed_sign_proved : printed_sign_theorem.
+Proof.
+  apply same_printed_sign; [apply AllProved.all_proved | exact PrintedSignProof.printed_sign_theorem_holds].
+Qed.
+Theorem false_as_printed : ~ as_printed.
+Proof. exact (proj1 printed_sign_proved). Qed.
+Print Assumptions printed_sign_proved.

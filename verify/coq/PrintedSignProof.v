@@ -1,0 +1,84 @@
+(* Theorem 1 as printed, with < in (4.10), is false. *)
+From Coq Require Import Reals Arith Lra Lia.
+From Verify Require Import Theorem1 Vectors Motion Sequences Ending Parameters Classification Contacts.
+From Verify Require Import NoTriangle Settling Endless ClassificationProof PrintedSign.
+Open Scope R_scope.
+
+Lemma collapse_is_nearly_linear d r s by_time c tolerance : 0 < r < 1 ->
+  collapse d r s by_time c tolerance -> nearly_linear d r s c tolerance.
+Proof.
+  intros R (scenes & time & T & Z & at_T & P & _ & A). destruct P as [P1 P2 P3 P4 P5 P6 P7 P8 P9 P10 P11].
+  exists scenes, time, (fun _ => B0), collides_with, T, at_T, B1, B2, 0%nat.
+  assert (N : forall n, B0 <> collides_with n).
+  { intros n. unfold collides_with. destruct Nat.even; discriminate. }
+  split; [|split; [exact P4|split; [repeat split; discriminate|split; [|split; [|exact A]]]]].
+  - split; [exact P1|]. split; [exact P2|]. intros n. destruct (P3 n) as [[M1 M2 M3 M4 M5] E].
+    split; [apply N|]. split; [lra|]. split; [exact M3|]. split; [exact M4|]. split; [|exact E].
+    intros a b D. exact (all_apart d _ B0 (collides_with n) a b (N n) D M3 M5).
+  - intros n. left. now split.
+  - assert (C : forall b k, (k < d)%nat -> Un_cv (fun n => position (scenes n) b k) (position at_T b k)).
+    { intros b k K e E. destruct (P8 b k K e E) as (m & M & Q). destruct (P4 (T - m)) as (n0 & L); [lra|].
+      exists n0. intros n G. specialize (L n G). unfold R_dist in *. apply Rabs_def2 in L.
+      assert (B : forall p, time p < T).
+      { intros p. destruct (P3 p) as [[W _ _ _ _] _]. pose proof (growing_ineq time T) as I.
+        specialize (I ltac:(intros q; destruct (P3 q) as [[V _ _ _ _] _]; lra) P4 (S p)). lra. }
+      specialize (Q (time n) ltac:(specialize (B n); lra)). rewrite (P5 n) in Q.
+      - rewrite (Rminus_diag_eq (time n) (time n) eq_refl), later_0 in Q. exact Q.
+      - destruct (P3 n) as [[V _ _ _ _] _]. lra. }
+    intros a b k K. unfold to. apply CV_minus; now apply C.
+Qed.
+
+Theorem least_final_angle d r s c tolerance : 0 < r < 1 -> nearly_linear d r s c tolerance ->
+  4 * sqrt r / (1 + r) <= c + tolerance.
+Proof.
+  intros R (scenes & time & i & j & T & at_T & a & b & N & E & _ & D & W & S & A).
+  destruct (ends_touching d r s scenes time i j R E at_T B0 a b N S W) as (T1 & T2).
+  pose proof (least d r s scenes time i j R E at_T S B0 a b N D W T1 T2) as L.
+  assert (M : minus_cosine_at d at_T B0 a b = minus_cosine d at_T).
+  { destruct D as (D1 & D2 & D3). unfold minus_cosine_at, minus_cosine.
+    destruct a, b; try easy. now rewrite dot_symmetric, Rmult_comm. }
+  rewrite M in L. apply within in A. lra.
+Qed.
+
+Lemma cube_root_above x y : 0 < x -> x ^ 3 < y -> x < cube_root y.
+Proof.
+  intros X Y. assert (Y0 : 0 < y) by (pose proof (pow_lt x 3 X); lra).
+  pose proof (cube_root_positive y) as P. pose proof (cube_of_root y Y0) as C.
+  apply Rnot_le_lt. intros L. assert (cube_root y ^ 3 <= x ^ 3) by (apply pow_incr; lra). lra.
+Qed.
+(* r = 3/100, theta_0 = 2 pi/3, delta_theta = 1/10. *)
+Lemma witness : hypotheses_as_printed (3 / 100) (2 * (PI / 3)) (1 / 10) /\
+  - cos (2 * (PI / 3)) + 1 / 10 < 4 * sqrt (3 / 100) / (1 + 3 / 100).
+Proof.
+  assert (CO : - cos (2 * (PI / 3)) = 1 / 2) by (rewrite cos_2PI3; lra).
+  pose proof PI_RGT_0 as PI0.
+  assert (S5 : sqrt 5 < 224 / 100).
+  { rewrite <- (sqrt_square (224 / 100)) by lra. apply sqrt_lt_1; lra. }
+  assert (S3 : 16 / 100 < sqrt (3 / 100)).
+  { rewrite <- (sqrt_square (16 / 100)) by lra. apply sqrt_lt_1; lra. }
+  assert (CR : 22 / 100 < cube_root (3 / 100)) by (apply cube_root_above; lra).
+  rewrite CO. split.
+  - unfold hypotheses_as_printed. rewrite CO. repeat split; try lra.
+    apply Rmult_lt_reg_r with (1 + 3 / 100); [lra|]. set (x := cube_root (3 / 100)) in *.
+    replace (2 * x * (1 + x) / (1 + 3 / 100) * (1 + 3 / 100)) with (2 * (x + x * x)) by field.
+    assert (22 / 100 * (22 / 100) < x * x) by (apply Rmult_le_0_lt_compat; lra). lra.
+  - apply Rmult_lt_reg_r with (1 + 3 / 100); [lra|].
+    replace (4 * sqrt (3 / 100) / (1 + 3 / 100) * (1 + 3 / 100)) with (4 * sqrt (3 / 100)) by field. lra.
+Qed.
+Lemma none_there d r s c delta_theta : 0 < r < 1 -> c + delta_theta < 4 * sqrt r / (1 + r) ->
+  ~ nearly_linear d r s c delta_theta.
+Proof. intros R L K. pose proof (least_final_angle d r s c delta_theta R K). lra. Qed.
+Theorem false_as_printed : ~ as_printed.
+Proof.
+  intros P. destruct witness as (H & L).
+  destruct (P _ _ _ 2%nat (le_n 2) H) as (set & (s & e & E & I) & A).
+  apply (none_there 2 (3 / 100) s _ _ ltac:(lra) L). apply A, I. intros k l _.
+  rewrite !Rminus_diag_eq, Rabs_R0 by reflexivity. split; exact E.
+Qed.
+Theorem printed_sign_theorem_holds : printed_sign_theorem.
+Proof.
+  split; [exact false_as_printed|]. split; [|split].
+  - exists (3 / 100), (2 * (PI / 3)), (1 / 10). exact witness.
+  - exact none_there.
+  - exact collapse_is_nearly_linear.
+Qed.

@@ -1,1 +1,0 @@
-"""Which collapses there are: four theorems beyond the paper, for every state."""

@@ -1,1 +1,0 @@
-"""The full dynamics lies below a map of two numbers: while that one goes on, so do collisions."""

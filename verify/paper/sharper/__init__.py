@@ -1,1 +1,0 @@
-"""A sharper theorem than the paper's: any state near enough to a collapse collapses."""

@@ -1,1 +1,0 @@
-"""One step of the recursion of `THEORSS4.1ExistenCollapse`, for every state."""

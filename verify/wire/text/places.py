@@ -1,0 +1,75 @@
+"""Where in a page a key stands, for messages."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from functools import cached_property
+
+from verify.wire.inputs import InputError
+
+
+class Where:
+    """A place in a file, whose line is looked for only if somebody asks."""
+
+    def __init__(self, places: Places, keys: tuple[str, ...], value: object) -> None:
+        self.places, self.keys, self.value = places, keys, value
+
+    def __str__(self) -> str:
+        return self.places.told(self.keys, self.value)
+
+
+_KEY_IN_LINE = re.compile(r'\s*+([A-Za-z0-9_."\'-]++(?:\s*+\.\s*+[A-Za-z0-9_"-]++)*+)\s*+=')
+
+
+class Places:
+    """Where in a file a key stands, for messages."""
+
+    def __init__(self, path: str, text: str) -> None:
+        self.path, self.lines = path, text.splitlines()
+
+    def error(self, keys: Sequence[str], what: str, value: object = None) -> InputError:
+        """The error that something is wrong with a key, or with a value under it."""
+        return InputError(f"{self.where(keys, value)}: {what}")
+
+    def where(self, keys: Sequence[str], value: object = None) -> Where:
+        """The file, the line and the key, which are looked for where they are told."""
+        return Where(self, tuple(keys), value)
+
+    def told(self, keys: Sequence[str], value: object = None) -> str:
+        """The same, in words."""
+        line = self._line(keys, value)
+        place = f", line {line}" if line else ""
+        return f"{self.path}{place}" + (f": {'.'.join(keys)}" if keys else "")
+
+    def _line(self, keys: Sequence[str], value: object) -> int:
+        """The line in which the key stands, or the value if it stands below; 0 if none is found."""
+        found = self._key_line(list(keys))
+        if isinstance(value, str) and value:
+            below = range(found, len(self.lines) + 1) if found else range(1, len(self.lines) + 1)
+            return next((i for i in below if i and value in self.lines[i - 1]), found)
+        return found
+
+    def _key_line(self, keys: list[str]) -> int:
+        """The line with the longest part of the keys that a line has."""
+        parts = (tuple(keys[:length]) for length in range(len(keys), 0, -1))
+        return next((self._key_lines[part] for part in parts if part in self._key_lines), 0)
+
+    @cached_property
+    def _key_lines(self) -> dict[tuple[str, ...], int]:
+        """For each key the first line in which it stands."""
+        table: list[str] = []
+        found: dict[tuple[str, ...], int] = {}
+        for number, line in enumerate(self.lines, 1):
+            header = re.match(r"\s*\[+([^\[\]]+)\]+\s*(#|$)", line)
+            if header:
+                table = keys_of(header[1])
+                found.setdefault(tuple(table), number)
+            elif match := _KEY_IN_LINE.match(line):
+                found.setdefault((*table, *keys_of(match[1])), number)
+        return found
+
+
+def keys_of(text: str) -> list[str]:
+    """The keys in a header, or before a `=`, some of them in quotes."""
+    return [key.strip("\"' ") for key in re.findall(r'"[^"]*"|\'[^\']*\'|[^.]+', text)]

@@ -1,0 +1,71 @@
+"""TOML as people send it: what would take its reader long, or much memory, is refused first."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from typing import Any
+
+#: Of a word outside of quotation marks: a number, or a part of a key.
+MAX_WORD = 4300
+#: Of the parts of a key, and of brackets inside of one another.
+MAX_PARTS, MAX_NESTING = 100, 100
+
+#: Texts in quotation marks, and comments.
+_QUOTED = re.compile(
+    r'"""[^"\\]*+(?:(?:\\.|"{1,2}(?!"))[^"\\]*+)*+"{3,5}|'
+    r"""'''[^']*+(?:'{1,2}(?!')[^']*+)*+'{3,5}|"""
+    r'"[^"\\\n]*+(?:\\.[^"\\\n]*+)*+"|'
+    r"'[^'\n]*+'|#[^\n]*+",
+    re.DOTALL,
+)
+_WORD = re.compile(r"[^\s\[\]{},=.]++")
+_KEY = re.compile(rf"(?<![^\s\[\]{{}},=.])(?:[^\s\[\]{{}},=.]*+[ \t]*+\.[ \t]*+){{{MAX_PARTS}}}")
+
+
+class TooLongError(ValueError):
+    """A text has a longer part than is read."""
+
+
+def toml_of(content: bytes) -> tuple[dict[str, Any], str]:
+    """The table in a file of TOML, where a number is the text that is written, and its text.
+
+    A byte order mark at the beginning is skipped.
+
+    Raises:
+        UnicodeDecodeError: if it is not UTF-8.
+        ValueError: if it is no TOML, or a part of it is longer than is read.
+    """
+    text = content.decode("utf-8-sig")
+    _check(text)
+    try:
+        return tomllib.loads(text, parse_float=str), text
+    except RecursionError as error:
+        raise TooLongError(_NESTED) from error
+
+
+_NESTED = f"brackets are more than {MAX_NESTING} deep"
+
+
+def _check(text: str) -> None:
+    """Afterwards the reader of TOML takes about as long as the text is.
+
+    Raises:
+        TooLongError: naming the line.
+    """
+    # A text becomes a sign that stands for it; the lines stay.
+    rest = _QUOTED.sub(lambda found: "_" + "\n" * found[0].count("\n"), text)
+    long = next((found for found in _WORD.finditer(rest) if len(found[0]) > MAX_WORD), None)
+    deep = _KEY.search(rest)
+    for found, words in (
+        (long, f"a number or a name has more than {MAX_WORD} signs"),
+        (deep, f"a key has more than {MAX_PARTS} parts"),
+    ):
+        if found is not None:
+            line = rest.count("\n", 0, found.start()) + 1
+            raise TooLongError(f"line {line}: {words}")
+    depth = 0
+    for bracket in re.findall(r"[\[\]{}]", rest):
+        depth += 1 if bracket in "[{" else -1
+        if depth > MAX_NESTING:
+            raise TooLongError(_NESTED)

@@ -19,7 +19,7 @@ from verify.cli import COMMANDS, main
 from verify.language.errors import OwnError
 from verify.language.statement import PROVED, UNDECIDED, Obligation, Statement
 from verify.language.terms import Claim, as_term
-from verify.paper.commands import classification
+from verify.paper.commands import classification, pages
 from verify.paper.commands.theorem1 import decide_point
 from verify.prover.ground import Ground
 from verify.prover.straight import StraightLine
@@ -239,7 +239,7 @@ def test_a_false_line_is_our_own_error(
     more: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The ratio falls if 2√r <= 1 + r; with another hundred on the left that is false."""
-    honest = classification.classification()
+    honest = pages.argument("classification")
 
     def falsified(claim: Claim) -> Claim:
         return Claim(claim.relation, claim.lhs + 100, claim.rhs)
@@ -253,7 +253,7 @@ def test_a_false_line_is_our_own_error(
     chapters = tuple(c._replace(items=tuple(map(changed, c.items))) for c in honest.chapters)
     statement = honest.statement._replace(obligations=rows)
     lie = honest._replace(statement=statement, chapters=chapters)
-    monkeypatch.setattr(classification, "classification", lambda: lie)
+    monkeypatch.setattr(pages, "argument", lambda _: lie)
     code, text = said(f"classification {more}", tmp_path, capsys)
     assert (code, text) == (5, "")
 

@@ -28,7 +28,7 @@ DECIDING = (
 )
 #: Of these files, for each code. Where one of them has changed: the next code, or, if no verdict
 #: and no number can have changed, another digest for this code.
-DIGEST = "b70a4a214c82178745b6839ee71d39c49f7f410c51c92fb3ff583225139b7606"
+DIGEST = "056e4c9bc42659c6c3428c456ad2784ff212094d1bf68f4a395ec70c4d299361"
 DIGESTS = {2: DIGEST, 6: DIGEST}
 
 

@@ -14,8 +14,7 @@ import pytest
 from tests.views.conftest import DEPTH, TABLE
 from verify.language.statement import ACCUSATIONS, REFUTED, UNDECIDED
 from verify.language.terms import as_term
-from verify.paper.commands import covers
-from verify.paper.commands.everywhere import decide_everywhere, decide_printed_everywhere
+from verify.paper.commands import covers, pages
 from verify.paper.commands.pages import accepted
 from verify.paper.commands.report import plotted
 from verify.paper.commands.thresholds import STRIPS, bands, certified
@@ -57,8 +56,8 @@ def test_cells_of_the_picture_lie_where_they_say() -> None:
 
 
 def test_captions_count_what_is_drawn() -> None:
-    found = plotted(decide_everywhere(), DEPTH)
-    figure, outcome = region.picture(found.region), decide_printed_everywhere()
+    found = plotted(pages.decide("all_parameters"), DEPTH)
+    figure, outcome = region.picture(found.region), pages.decide("printed_rows")
     refuted = [
         found
         for row, found in outcome.rows
@@ -160,9 +159,8 @@ def lightness(colour: str) -> float:
 
 def test_drawings_are_well_formed_and_take_their_colours_from_the_page(page: str) -> None:
     drawings = re.findall(r"<svg .*?</svg>", page, re.DOTALL)
-    plots = sum(
-        len(figure.panels) for figure in figures(plotted(decide_everywhere(), DEPTH), TABLE)
-    )
+    found = plotted(pages.decide("all_parameters"), DEPTH)
+    plots = sum(len(figure.panels) for figure in figures(found, TABLE))
     collapses, map_panels = 2 * 2, 3
     assert len(drawings) == plots + 3 + collapses + map_panels  # letters, the proof, the curve
     for text in drawings:

@@ -8,7 +8,7 @@ import pytest
 
 from verify import check
 from verify.cli import main
-from verify.paper.commands.everywhere import decide_printed_everywhere
+from verify.paper.commands import pages
 from verify.paper.commands.spectrum import SPECTRUM, cite_spectrum, decide_spectrum, state_spectrum
 from verify.paper.spectrum.printed import Printed
 from verify.prover.outcome import Outcome
@@ -29,7 +29,7 @@ def test_what_comes_with_the_program_is_what_is_committed(name: str) -> None:
 
 def test_the_printed_rows_come_as_they_are_decided() -> None:
     """If not: python -m tests.bring; there is no such folder among the committed certificates."""
-    files = write(decide_printed_everywhere())
+    files = write(pages.decide("printed_rows"))
     assert packaged_files(AS_PRINTED) == (files["statement.json"], files["certificate.json"])
     assert check.check(*packaged_files(AS_PRINTED), {}).verdict == "PROVED"
 
@@ -58,7 +58,6 @@ def test_another_statement_is_not_known() -> None:
     ("words", "work"),
     [
         ("spectrum", "verify.paper.commands.spectrum.decide_spectrum"),
-        ("theorem1 --all", "verify.paper.commands.everywhere.decide_everywhere"),
     ],
 )
 def test_a_command_does_not_prove_again_what_comes_with_it(

@@ -17,7 +17,7 @@ from tests.points import parameters
 from tests.readme_commands import ROOT
 from verify.language.statement import PROVED, REFUTED
 from verify.language.typeset import Typesetter
-from verify.paper.commands import everywhere
+from verify.paper.commands import pages
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import REPAIRED
@@ -48,7 +48,7 @@ def test_what_breaks_the_argument_has_two_causes() -> None:
 
 
 def test_the_assumptions_are_those_of_the_readme() -> None:
-    every = everywhere.decide_everywhere()
+    every = pages.decide("all_parameters")
     outcome = decide_point(parameters("3/100", "1"))
     assert {d.verdict for _, d in (*outcome.of_group(REPAIRED), *every.rows)} == {PROVED}
     assert outcome.assumptions == every.assumptions

@@ -7,9 +7,9 @@ from pathlib import Path
 
 from verify.language.statement import NEEDED, Obligation
 from verify.paper import step_as_printed, theorem1
+from verify.paper.commands import pages
 from verify.paper.commands.classification import decide_classification
 from verify.paper.commands.elsewhere import decide_elsewhere
-from verify.paper.commands.everywhere import decide_everywhere
 from verify.paper.commands.spectrum import cite_spectrum
 from verify.paper.commands.step import decide_step
 from verify.prover.outcome import Outcome
@@ -202,7 +202,7 @@ def theorems_of_the_step() -> set[str]:
 def on_a_path() -> set[str]:
     """The facts that the theorem rests on: those of the step, and the rows that make it apply."""
     step = {f"step:{name}" for name in reaching(decide_step(), theorems_of_the_step())}
-    return step | reaching(decide_everywhere(), {"collapse"})
+    return step | reaching(pages.decide("all_parameters"), {"collapse"})
 
 
 def test_every_fact_of_the_step_is_on_a_path_to_the_theorem() -> None:
@@ -226,7 +226,7 @@ def test_every_needed_row_is_on_a_path_or_beside_a_fact_that_is() -> None:
         there = {name.replace("printed.", "repaired.", 1) for name in names(cells[3])}
         if there & found:
             beside |= there
-    rows = [row.name for row, _ in decide_everywhere().rows if row.role == NEEDED]
+    rows = [row.name for row, _ in pages.decide("all_parameters").rows if row.role == NEEDED]
     hanging = [
         name for name in rows if name not in found | beside and not name.startswith(OF_THEIR_OWN)
     ]

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import pytest
 
 from verify import check
 from verify.language.statement import Statement
 from verify.language.terms import Claim, as_term
-from verify.paper.commands.everywhere import decide_everywhere
+from verify.paper.commands import pages
 from verify.paper.commands.step import decide_step
 from verify.prover.outcome import Outcome
 from verify.prover.proof import OpenStep, Step
@@ -17,7 +19,7 @@ from verify.wire.write import digest, write
 
 #: What stands in the place of a given that is dropped: its name says nothing any more.
 NOTHING = Claim("<", as_term(0), as_term(1))
-OUTCOMES = {"everywhere": decide_everywhere, "step": decide_step}
+OUTCOMES = {"everywhere": partial(pages.decide, "all_parameters"), "step": decide_step}
 
 
 def used_givens(outcome: Outcome) -> list[str]:
@@ -57,8 +59,8 @@ def verdict(outcome: Outcome) -> str:
 
 
 def test_every_given_of_the_theorem_is_used() -> None:
-    givens = [g.name for c in decide_everywhere().statement.contexts for g in c.givens]
-    assert used_givens(decide_everywhere()) == givens
+    givens = [g.name for c in pages.decide("all_parameters").statement.contexts for g in c.givens]
+    assert used_givens(pages.decide("all_parameters")) == givens
 
 
 @pytest.mark.parametrize(("name", "every"), [("everywhere", 1), ("step", 8)])

@@ -12,7 +12,7 @@ from verify.language.statement import PROVED
 from verify.paper.commands import pages
 from verify.prover.arguments import write_down
 from verify.wire.judge import judged
-from verify.wire.packaged import PAGES, became
+from verify.wire.packaged import PACKAGED, PAGES, became
 from verify.wire.text import Page
 from verify.wire.write import write
 
@@ -25,7 +25,8 @@ WORDS = (
     "scene certificates/scenes/in-space.toml",
 )
 
-ROOT = Path(__file__).parents[2]
+#: A test of `verify/wire/packaged.py` says that these are those of `certificates`.
+DATA = Path(PACKAGED)
 NAMES = pages.names()
 
 
@@ -39,7 +40,7 @@ def test_a_page_is_the_statement_of_its_certificate(name: str) -> None:
     files = write(outcome)
     assert outcome.verdict == PROVED
     for file in ("statement.json", "certificate.json"):
-        assert files[file] == (ROOT / "certificates" / PAGES[name][0] / file).read_bytes()
+        assert files[file] == (DATA / PAGES[name][0] / file).read_bytes()
 
 
 # --- without reading the page ---------------------------------------------------------------------

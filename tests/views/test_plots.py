@@ -15,8 +15,7 @@ from tests.paper.spectrum.page import terms
 from tests.views.conftest import TABLE
 from verify.language.statement import ACCUSATIONS, REFUTED, UNDECIDED
 from verify.language.terms import Claim, as_term
-from verify.paper.commands import curves
-from verify.paper.commands.everywhere import decide_everywhere, decide_printed_everywhere
+from verify.paper.commands import curves, pages
 from verify.paper.commands.pages import accepted
 from verify.paper.commands.report import plotted
 from verify.paper.commands.spectrum import roots_of_q
@@ -59,8 +58,8 @@ def test_cells_of_the_picture_lie_where_they_say() -> None:
 
 
 def test_captions_count_what_is_drawn() -> None:
-    found = plotted(decide_everywhere())
-    figure, outcome = region.picture(found.region), decide_printed_everywhere()
+    found = plotted(pages.decide("all_parameters"))
+    figure, outcome = region.picture(found.region), pages.decide("printed_rows")
     refuted = [
         found
         for row, found in outcome.rows
@@ -158,7 +157,9 @@ def lightness(colour: str) -> float:
 
 def test_drawings_are_well_formed_and_take_their_colours_from_the_page(page: str) -> None:
     drawings = re.findall(r"<svg .*?</svg>", page, re.DOTALL)
-    plots = sum(len(figure.panels) for figure in figures(plotted(decide_everywhere()), TABLE))
+    plots = sum(
+        len(figure.panels) for figure in figures(plotted(pages.decide("all_parameters")), TABLE)
+    )
     collapses, map_panels = 2 * 2, 3
     assert len(drawings) == plots + 3 + collapses + map_panels  # letters, the proof, the curve
     for text in drawings:

@@ -14,7 +14,7 @@ import pytest
 
 from tests.check.test_check_map import sealed
 from tests.views.conftest import few_boxes
-from verify.paper.commands import everywhere
+from verify.paper.commands import pages
 from verify.paper.commands.regenerate import is_right_when_accepted
 from verify.paper.commands.report import NAMES
 from verify.paper.commands.report_files import CertificateError
@@ -168,7 +168,7 @@ def test_an_animation_is_the_same_again_and_brings_no_script(shown: collapse.Fil
 
 
 def test_lines_that_are_left_out_follow_from_others() -> None:
-    edges = edges_between_labels(everywhere.decide_everywhere())
+    edges = edges_between_labels(pages.decide("all_parameters"))
     level = lowered(levels(edges), edges)
     kept = direct(edges, level)
     above: dict[str, set[str]] = {}
@@ -188,7 +188,7 @@ def test_each_fact_is_below_what_it_rests_on_whatever_comes_first() -> None:
 
 
 def test_the_theorem_is_the_last_of_the_formulas_that_it_rests_on() -> None:
-    outcome = everywhere.decide_everywhere()
+    outcome = pages.decide("all_parameters")
     edges = edges_between_labels(outcome)
     level = lowered(levels(edges), edges)
     last = outcome.rows[-1][0].label

@@ -19,7 +19,7 @@ from verify.language.simplify import simplified
 from verify.language.statement import PRINTED
 from verify.language.terms import Term, as_term, sqrt, symbol
 from verify.paper.commands.whole import whole
-from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
+from verify.paper.parameters import ALL_PARAMETERS as EVERYWHERE
 from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
 from verify.views.everywhere import latex

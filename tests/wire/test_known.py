@@ -9,7 +9,7 @@ import pytest
 from tests.paper.spectrum.page import changed
 from verify import check
 from verify.cli import main
-from verify.paper.commands.everywhere import decide_printed_everywhere
+from verify.paper.commands import pages
 from verify.paper.commands.spectrum import PAGE, cite_spectrum, decide_spectrum, state_spectrum
 from verify.prover.outcome import Outcome
 from verify.wire.judge import known
@@ -29,7 +29,7 @@ def test_what_comes_with_the_program_is_what_is_committed(name: str) -> None:
 
 def test_the_printed_rows_come_as_they_are_decided() -> None:
     """If not: python -m tests.bring; there is no such folder among the committed certificates."""
-    files = write(decide_printed_everywhere())
+    files = write(pages.decide("printed_rows"))
     assert packaged_files(AS_PRINTED) == (files["statement.json"], files["certificate.json"])
     assert check.check(*packaged_files(AS_PRINTED), {}).verdict == "PROVED"
 
@@ -57,7 +57,6 @@ def test_another_statement_is_not_known() -> None:
     ("words", "work"),
     [
         ("spectrum", "verify.paper.commands.pages.decide"),
-        ("theorem1 --all", "verify.paper.commands.everywhere.decide_everywhere"),
     ],
 )
 def test_a_command_does_not_prove_again_what_comes_with_it(

@@ -103,7 +103,7 @@ def _print_report(found: Sequence[CheckedFolder], *, latex: bool, full: bool) ->
         print(f"verify: {judged.folder.path}: {why}"[:300], file=sys.stderr)
     if not refused:
         from verify.paper.commands.whole import whole  # loaded only where they are used
-        from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
+        from verify.paper.parameters import ALL_PARAMETERS
         from verify.paper.source import PAPER
         from verify.views.everywhere import latex as theorem_tex
         from verify.views.markdown import report
@@ -116,7 +116,7 @@ def _print_report(found: Sequence[CheckedFolder], *, latex: bool, full: bool) ->
         try:
             read = (read_judged(f.statement, f.certificate, cited) for f in folders)
             if latex:
-                told = {EVERYWHERE: lambda: theorem_tex(whole())}
+                told = {ALL_PARAMETERS: lambda: theorem_tex(whole())}
                 texts = [tex_document(read, PAPER, told, full=full)]
             else:
                 texts = [report(one, PAPER) for one in read]

@@ -10,7 +10,7 @@ from itertools import chain
 from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_file
 from verify.cli.options import Options, leave_out
-from verify.cli.terminal import progress, show
+from verify.cli.terminal import show
 from verify.cli.theorem1_point import DEFAULTS, POINT_OPTIONS, read_parameters
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import REFUTED, UNDECIDED
@@ -28,9 +28,6 @@ if TYPE_CHECKING:
 #: So many points of a grid are given to a process at a time.
 TOGETHER = 50
 
-#: What takes seconds; all of it is one search.
-PROVING = "deciding the rows of the printed set for all parameters, which takes seconds"
-
 
 def run_many(options: Options) -> int:
     """Print, write the files, return the exit code."""
@@ -45,7 +42,6 @@ def _everywhere(options: Options) -> int:
     leave_out(options, (*POINT_OPTIONS, *others), "leave it out with --all", DEFAULTS)
     test_folder("--out", options.out, "statement.json", "certificate.json")
     from verify.paper.commands import (  # loaded only where they are used
-        everywhere,
         pages,
         thresholds,
     )
@@ -54,11 +50,7 @@ def _everywhere(options: Options) -> int:
     from verify.views.document import claims_document
 
     printed = options.constants == PRINTED
-    if printed:
-        progress(PROVING)
-        outcome = everywhere.decide_printed_everywhere()
-    else:
-        outcome = everywhere.cite_everywhere()
+    outcome = pages.accepted("printed_rows" if printed else "all_parameters")
     argument = conjunction(outcome.decisions.values())
     verdicts = verdicts_as_printed()
 

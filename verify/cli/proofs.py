@@ -6,7 +6,7 @@ import json
 import os
 from collections.abc import Callable, Mapping
 from difflib import get_close_matches
-from functools import cache
+from functools import cache, partial
 
 from verify.cli.files import read_bytes
 from verify.cli.terminal import progress
@@ -25,13 +25,10 @@ NAMES = ("statement.json", "certificate.json")
 @cache
 def statements() -> Mapping[str, Callable[[], Outcome]]:
     """What decides each of the statements that come with the program."""
-    from verify.paper.commands import (
-        certificates,  # load flint
-        everywhere,  # load flint
-    )
+    from verify.paper.commands import certificates, pages  # load flint
 
     decided = {theorem.folder: theorem.decide for theorem in certificates.THEOREMS}
-    return {**decided, AS_PRINTED: everywhere.decide_printed_everywhere}
+    return {**decided, AS_PRINTED: partial(pages.decide, "printed_rows")}
 
 
 def names_with(where: str, word: str) -> dict[str, bool]:

@@ -12,6 +12,8 @@ from verify.language.statement import REPAIRED as REPAIRED
 from verify.language.terms import symbol
 
 THEOREM = "THEORSS4.1ExistenCollapse"
+#: The name of the theorem that is proved for all of them at once.
+ALL_PARAMETERS = f"{THEOREM} for all parameters"
 PARAMETERS = ("r", "c", "V_0", "delta_theta")
 
 r = symbol("r")

@@ -134,7 +134,7 @@ class Writing:
             return None
         if not isinstance(line.reason, argument.ByNames):
             return proof_of(line.reason)
-        found = self._at_hand(line) or self._found(line, context)
+        found = self._at_hand(line) or self.found(line, context)
         if found is None:
             self.missing[line.name] = NO_SUM
         return found
@@ -147,7 +147,8 @@ class Writing:
         reason = argument.BySum(found.addends, found.using, found.equations)
         return found if {*facts_of(reason)} <= {*facts_of(line.reason)} else None
 
-    def _found(self, line: Line, context: str | None) -> Proof | None:
+    def found(self, line: Line, context: str | None) -> Proof | None:
+        """A sum of products of the facts that a line names, if one is found."""
         from verify.prover.search.named import Named, by_names  # flint is loaded only here
 
         if not isinstance(line.claim, Claim) or not isinstance(line.reason, argument.ByNames):

@@ -11,21 +11,17 @@ to a higher degree too, where fewer may be negative.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from functools import cache
-from itertools import accumulate, combinations, pairwise
+from itertools import accumulate, pairwise
 from math import comb, prod
 
-from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
+from flint import fmpq, fmpq_mpoly, fmpq_poly
 
 from verify.language.record import Record
 from verify.prover.goal import Bounds
 from verify.prover.numbers import fmpq_of, fraction_of
 from verify.prover.proof import Value, power_of, product_of, sum_of
-
-#: How often the degrees of forms are raised before they are given up.
-ELEVATIONS = 3
 
 Ends = tuple[Fraction, Fraction]
 
@@ -199,61 +195,3 @@ def _coefficients(polynomial: Sequence[fmpq], low: Fraction, high: Fraction) -> 
     for k in range(n - 1, -1, -1):
         found = [*accumulate(found, initial=moved[k] / comb(n, k))]
     return found
-
-
-class Forms:
-    """Polynomials in a few variables x with 0 < x < b, in products of x and b - x."""
-
-    def __init__(self, bounds: Sequence[Fraction]) -> None:
-        names = tuple(f"{letter}{i}" for i in range(len(bounds)) for letter in "xy")
-        self.ring = fmpq_mpoly_ctx.get(names, Ordering.lex)
-        generators = self.ring.gens()
-        self.pairs = [
-            (generators[2 * i], generators[2 * i + 1], fmpq(b.denominator, b.numerator))
-            for i, b in enumerate(bounds)
-        ]
-        self._factor = cache(self._homogeneous)
-
-    def _homogeneous(self, index: int, k: int, degree: int) -> fmpq_mpoly:
-        """x^k as a form of some degree in x and b - x, which add up to b."""
-        x, y, inverse = self.pairs[index]
-        return x**k * ((x + y) * inverse) ** (degree - k)
-
-    def _raised(self, degrees: Sequence[int]) -> Iterator[list[int]]:
-        """Degrees to try, 0 for variables that stay as they are; few variables first."""
-        some = [i for i, degree in enumerate(degrees) if degree]
-        for more in range(ELEVATIONS + 1):
-            for size in range(len(some) if more else 1, len(some) + 1):
-                for chosen in combinations(some, size):
-                    yield [d + more if i in chosen else 0 for i, d in enumerate(degrees)]
-
-    def terms(
-        self, group: Mapping[tuple[int, ...], fmpq]
-    ) -> list[tuple[Fraction, tuple[tuple[int, int], ...]]] | None:
-        """Coefficients >= 0 with the exponents of each x and b - x; None if some are negative."""
-        if all(value > 0 for value in group.values()):
-            return [
-                (fraction_of(value), tuple((k, 0) for k in monomial))
-                for monomial, value in group.items()
-            ]
-        degrees = [max(monomial[i] for monomial in group) for i in range(len(self.pairs))]
-        for raised in self._raised(degrees):
-            total = self.ring.constant(0)
-            for monomial, value in group.items():
-                part = self.ring.constant(value)
-                for i, k in enumerate(monomial):
-                    if raised[i]:
-                        part *= self._factor(i, k, raised[i])
-                    elif k:
-                        part *= self.pairs[i][0] ** k
-                total += part
-            found = total.to_dict()
-            if found and all(value > 0 for value in found.values()):
-                return [
-                    (
-                        fraction_of(value),
-                        tuple(zip(map(int, m[::2]), map(int, m[1::2]), strict=True)),
-                    )
-                    for m, value in found.items()
-                ]
-        return None

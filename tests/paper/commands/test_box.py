@@ -11,6 +11,7 @@ import pytest
 from verify import check
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term, as_term
+from verify.paper import box as paper
 from verify.paper.commands.box import (
     ParameterBox,
     answer,
@@ -21,7 +22,6 @@ from verify.paper.commands.box import (
     verdict,
 )
 from verify.paper.commands.regenerate import is_right_statement
-from verify.paper.everywhere import box as paper
 from verify.paper.hypotheses import hypotheses
 from verify.prover.outcome import Outcome
 from verify.prover.program import ExactArithmetic, Machine, Program

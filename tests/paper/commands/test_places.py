@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from verify.paper.commands import everywhere, index, spectrum, step
+from verify.paper.commands import index, pages, spectrum, step
 from verify.paper.commands.index import near, written
 from verify.paper.commands.pages import content, names, page
 from verify.paper.commands.place import ROOT
@@ -16,7 +16,7 @@ from verify.paper.theorem1 import theorem
 
 def test_every_row_has_a_place() -> None:
     rows = [row for part in theorem().parts.values() for row in part.obligations]
-    for outcome in (everywhere.decide_everywhere(), step.decide_step(), spectrum.cite_spectrum()):
+    for outcome in (pages.decide("all_parameters"), step.decide_step(), spectrum.cite_spectrum()):
         rows += outcome.statement.obligations
     known = {place.name for place in places()}
     assert {row.name for row in rows} <= known

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from verify.language.terms import Claim, as_term, substitute, symbol
 from verify.measure.bench import SOME, slack_table
-from verify.paper.commands.everywhere import decide_everywhere
-from verify.paper.commands.slack import POINT, find_slack, stronger
-from verify.paper.everywhere.chart import CONTEXT
-from verify.paper.everywhere.everywhere import values_at
+from verify.paper.commands import pages
+from verify.paper.commands.slack import CONTEXT, POINT, find_slack, stronger, values_at
 from verify.prover.ground import Ground
 from verify.prover.session import Session
 
@@ -17,7 +15,7 @@ def test_no_proof_proves_a_stronger_bound() -> None:
     found = find_slack(search=False)
     rows = [
         row.name
-        for row in decide_everywhere().statement.obligations
+        for row in pages.decide("all_parameters").statement.obligations
         if isinstance(row.claim, Claim) and row.context == CONTEXT and row.claim.lhs != as_term(0)
     ]
     assert found.accepted == found.slack == set()

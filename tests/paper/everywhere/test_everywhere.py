@@ -12,11 +12,8 @@ import pytest
 from verify import check
 from verify.language.statement import NEEDED, PROVED, Constant
 from verify.language.terms import Claim, Term
-from verify.paper.commands import everywhere, step
-from verify.paper.commands.everywhere import decide_everywhere
-from verify.paper.everywhere.chart import CONTEXT, constants
-from verify.paper.everywhere.everywhere import statement
-from verify.paper.parameters import REPAIRED
+from verify.paper.commands import pages
+from verify.paper.parameters import PRINTED, REPAIRED
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.balls import BallArithmetic
@@ -28,10 +25,13 @@ from verify.prover.rules import Sum
 from verify.wire.read import read
 from verify.wire.write import write
 
+#: The context of all parameters.
+CONTEXT = "everywhere"
+
 
 @cache
 def cited() -> dict[str, bytes]:
-    files = write(decide_everywhere())
+    files = write(pages.decide("all_parameters"))
     return {name[6:-5]: data for name, data in files.items() if name.startswith("cited/")}
 
 
@@ -41,7 +41,7 @@ def report(outcome: Outcome) -> check.Report:
 
 
 def test_everything_is_proved_and_small() -> None:
-    outcome = decide_everywhere()
+    outcome = pages.decide("all_parameters")
     files = write(outcome)
     assert outcome.verdict == PROVED
     assert {row.verdict for row in outcome.decisions.values()} == {PROVED}
@@ -52,7 +52,7 @@ def test_everything_is_proved_and_small() -> None:
 
 
 def test_the_rows_are_those_of_the_theorem() -> None:
-    rows = {row.name: row for row in decide_everywhere().statement.obligations}
+    rows = {row.name: row for row in pages.decide("all_parameters").statement.obligations}
     for row in theorem().parts[REPAIRED].obligations:
         if row.role == NEEDED:
             assert rows[row.name].claim == row.claim
@@ -62,8 +62,8 @@ def test_the_rows_are_those_of_the_theorem() -> None:
 def test_the_last_line_closes_the_citation(tmp_path_factory: pytest.TempPathFactory) -> None:
     """By the certificate beside it, or another folder of the run."""
     folders = []
-    for name, outcome in (("everywhere", decide_everywhere()), ("step", step.decide_step())):
-        folder = tmp_path_factory.mktemp(name)
+    for name in ("all_parameters", "step"):
+        folder, outcome = tmp_path_factory.mktemp(name), pages.decide(name)
         for file, data in write(outcome).items():
             (folder / file).parent.mkdir(exist_ok=True)
             (folder / file).write_bytes(data)
@@ -83,11 +83,11 @@ def test_the_last_line_closes_the_citation(tmp_path_factory: pytest.TempPathFact
 def test_every_fact_holds_at_random_parameters() -> None:
     names = ("r", "c", "V_0", "delta_theta")
     program = Program(names)
-    for constant in constants():
+    for constant in pages.statement("all_parameters").context(CONTEXT).constants:
         program.define(constant.name, constant.term)
     claims: dict[str, Claim] = {}
-    rows = {row.name: row for row in decide_everywhere().statement.obligations}
-    for item in decide_everywhere().steps:
+    rows = {row.name: row for row in pages.decide("all_parameters").statement.obligations}
+    for item in pages.decide("all_parameters").steps:
         if isinstance(item, LemmaStep) and item.context == CONTEXT:
             claims[item.name] = item.claim
         if isinstance(item, ObligationStep) and rows[item.name].context == CONTEXT:
@@ -115,9 +115,9 @@ def admissible(chosen: random.Random) -> tuple[Fraction, ...]:
 
 
 def test_a_sum_without_one_of_its_addends_is_refused() -> None:
-    rows = {row.name: row.claim for row in decide_everywhere().statement.obligations}
+    rows = {row.name: row.claim for row in pages.decide("all_parameters").statement.obligations}
     steps, names = [], set()
-    for number, item in enumerate(decide_everywhere().steps):
+    for number, item in enumerate(pages.decide("all_parameters").steps):
         proof = getattr(item, "proof", None)
         claim = item.claim if isinstance(item, LemmaStep) else rows.get(item.name)
         if isinstance(proof, Sum) and isinstance(claim, Claim) and len(proof.addends) > 1:
@@ -129,14 +129,14 @@ def test_a_sum_without_one_of_its_addends_is_refused() -> None:
                 steps.append(LemmaStep(name, context, claim, proof._replace(addends=rest)))
         steps.append(item)
     assert len(names) > 400
-    lines = report(decide_everywhere()._replace(steps=tuple(steps))).lines
+    lines = report(pages.decide("all_parameters")._replace(steps=tuple(steps))).lines
     refused = {line.split()[2].rstrip(":") for line in lines if line.startswith("REFUSED lemma")}
     assert names <= refused
 
 
 def with_entry(name: str, entry: int, factor: Fraction) -> Outcome:
     """The certificate, of a statement in which one entry of a minimum is larger."""
-    outcome = decide_everywhere()
+    outcome = pages.decide("all_parameters")
     context = outcome.statement.contexts[0]
 
     def changed(constant: Constant) -> Constant:
@@ -159,7 +159,7 @@ def test_a_larger_bound_is_refused(name: str, entry: int) -> None:
 
 
 def test_without_a_hypothesis_it_is_refused() -> None:
-    outcome = decide_everywhere()
+    outcome = pages.decide("all_parameters")
     context = outcome.statement.contexts[0]
     for i in range(len(context.givens)):
         fewer = context._replace(givens=context.givens[:i] + context.givens[i + 1 :])
@@ -170,8 +170,16 @@ def test_without_a_hypothesis_it_is_refused() -> None:
             continue
 
 
-def test_the_search_finds_the_same_again() -> None:
-    files = write(step.decide_step())
-    stated = statement(files["statement.json"], files["certificate.json"])
-    found = everywhere.Everywhere(stated, REPAIRED).run()
-    assert write(found) == write(decide_everywhere())
+@pytest.mark.parametrize(
+    ("page", "group"),
+    [
+        ("all_parameters", REPAIRED),
+        ("printed_rows", PRINTED),
+        ("printed_set", PRINTED),
+        ("thresholds", PRINTED),
+    ],
+)
+def test_the_constants_are_those_of_the_theorem(page: str, group: str) -> None:
+    known = {c.name: c for c in (*theorem().common, *theorem().parts[group].bounds)}
+    found = {c.name: c for c in pages.statement(page).context(CONTEXT).constants}
+    assert {name: found[name] for name in known} == known

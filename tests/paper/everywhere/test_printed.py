@@ -9,10 +9,9 @@ import pytest
 from verify import check
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import as_term
-from verify.paper.commands.everywhere import decide_printed_everywhere
+from verify.paper.commands import pages
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.commands.thresholds import STRIPS
-from verify.paper.everywhere.angle_display import ROW
 from verify.paper.parameters import PRINTED
 from verify.wire.read import read
 from verify.wire.write import write
@@ -21,7 +20,7 @@ POINTS = [("3/100", "1", "1", "1/10"), ("1/1000", "3/10", "7", "1/1000")]
 
 
 def test_every_row_is_decided() -> None:
-    outcome = decide_printed_everywhere()
+    outcome = pages.decide("printed_rows")
     files = write(outcome)
     report = check.check(files["statement.json"], files["certificate.json"], {})
     assert report.verdict == "PROVED"
@@ -35,13 +34,13 @@ def test_a_point_agrees(point: tuple[str, ...]) -> None:
     names = ("r", "c", "V_0", "delta_theta")
     values = {name: as_term(Fraction(x)) for name, x in zip(names, point, strict=True)}
     there = decide_point(values, "printed").decisions
-    for name, found in decide_printed_everywhere().decisions.items():
+    for name, found in pages.decide("printed_rows").decisions.items():
         if found.method != "witness":
             assert there[name].verdict == found.verdict, name
 
 
 def test_the_rows_that_depend_on_the_parameters_have_thresholds() -> None:
-    found = decide_printed_everywhere().decisions
+    found = pages.decide("printed_rows").decisions
     depending = {name for name, decision in found.items() if decision.witness}
     assert depending == {f"{PRINTED}.{strip.row}" for strip in STRIPS}
     assert [decision.verdict for decision in found.values()].count(REFUTED) == 28
@@ -54,11 +53,11 @@ def test_the_state_of_the_display_is_where_it_has_to_be() -> None:
     for point in (*POINTS, ("55/1000", "1", "1/1000000", "1/10"), ("1/1000000", "1/20", "9", "1")):
         names = ("r", "c", "V_0", "delta_theta")
         values = {n: as_term(Fraction(x)) for n, x in zip(names, point, strict=True)}
-        assert decide_point(values, "printed").decisions[ROW].verdict == REFUTED
+        assert decide_point(values, "printed").decisions["printed.angle-sign"].verdict == REFUTED
 
 
 def test_the_final_angle_depends_on_the_parameters() -> None:
-    found = decide_printed_everywhere().decisions["printed.final-angle"]
+    found = pages.decide("printed_rows").decisions["printed.final-angle"]
     assert (found.verdict, found.method) == (REFUTED, "witness")
     names = ("r", "c", "V_0", "delta_theta")
     values = {n: as_term(Fraction(x)) for n, x in zip(names, POINTS[0], strict=True)}

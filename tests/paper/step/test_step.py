@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -20,7 +20,7 @@ from verify.cli import main
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Always, Obligation
 from verify.language.terms import Claim, Term, as_term, substitute_claim, symbol
 from verify.paper import step
-from verify.paper.commands.everywhere import decide_everywhere
+from verify.paper.commands import pages
 from verify.paper.commands.step import decide_step
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.parameters import PARAMETERS
@@ -251,12 +251,10 @@ def test_a_point_run_cites_the_step(point: tuple[str, str], selection: str) -> N
     assert headline(outcome) == PROVED
 
 
-@pytest.mark.parametrize(("name", "decide"), [("step", decide_step), (ALL, decide_everywhere)])
-def test_what_comes_with_the_program_is_what_it_makes(
-    name: str, decide: Callable[[], Outcome]
-) -> None:
+@pytest.mark.parametrize(("name", "page"), [("step", "step"), (ALL, "all_parameters")])
+def test_what_comes_with_the_program_is_what_it_makes(name: str, page: str) -> None:
     """If not: verify certify, then python -m tests.bring."""
-    files = write(decide())
+    files = write(pages.decide(page))
     for file in PACKAGED_FILES[name]:
         for folder in (Path(PACKAGED), ROOT / "certificates"):
             assert (folder / name / file).read_bytes() == files[file], folder

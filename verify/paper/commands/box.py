@@ -8,11 +8,10 @@ from fractions import Fraction
 from verify.language.argument import Chapter, Line, Opened, ToBeFound
 from verify.language.errors import OwnError
 from verify.language.fold import RATIONAL, fold
-from verify.language.statement import PROVED, REFUTED, UNDECIDED, Cite, Constant, Statement
+from verify.language.statement import PROVED, REFUTED, UNDECIDED, Constant, Statement
 from verify.language.terms import Claim, Term, as_term, symbol
-from verify.paper.commands.citing import step_cited
-from verify.paper.everywhere import box as paper
-from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
+from verify.paper import box as paper
+from verify.paper.commands import pages
 from verify.prover.arguments import Writing, proof_of
 from verify.prover.decimals import round_decimal
 from verify.prover.ground import Ground
@@ -20,7 +19,6 @@ from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.rules import Applying
 from verify.views.material import Answer, ParameterBox
 from verify.wire.judge import judged
-from verify.wire.packaged import ALL, packaged_files
 
 #: Digits of the last r of a part on which the hypotheses hold.
 DIGITS = 9
@@ -89,8 +87,7 @@ def decide_box(box: ParameterBox, v_0: Fraction, delta_theta: Fraction) -> Outco
     if found == UNDECIDED:
         raise ValueError("the hypotheses hold on a part of the box only")
     values = dict(zip(paper.PARAMETERS, (*box.r, *box.c, v_0, delta_theta), strict=True))
-    content, certificate = packaged_files(ALL)
-    cite = Cite(paper.CITED, EVERYWHERE, content, (step_cited(),), certificate=certificate)
+    cite = pages.cite("all_parameters")._replace(name=paper.CITED)
     holds = found == PROVED
     terms = {name: as_term(value) for name, value in values.items()}
     return BoxRun(paper.statement(terms, cite, holds=holds)).run(holds=holds)
@@ -134,13 +131,19 @@ class BoxRun:
         stability = self.writing.rows[paper.STABILITY]
         if holds:
             self.writing.decide(stability, proof_of(paper.stable()))
-            self.writing.decide(self.writing.rows[paper.APPLIED], Applying(paper.premises()))
+            self.writing.decide(self.writing.rows[paper.APPLIED], Applying(self._premises()))
         else:
             proof = proof_of(paper.unstable())
             self.session.prove_row(stability, proof, holds=False)
             self.writing.decisions[stability.name] = Decision(REFUTED, proof)
         steps = tuple(self.session.steps)
         return judged(Outcome(self.statement, self.writing.decisions, steps, self._enclosures()))
+
+    @staticmethod
+    def _premises() -> tuple[str, ...]:
+        """The facts which say that the hypotheses of the theorem for all parameters hold."""
+        (everywhere,) = pages.statement("all_parameters").contexts
+        return tuple(given.name for given in everywhere.givens)
 
     def _number(self, line: Line) -> None:
         if not isinstance(line.reason, ToBeFound):

@@ -14,7 +14,6 @@ from verify.paper.commands import (
     classification,
     collapse,
     elsewhere,
-    everywhere,
     pages,
     scene,
     separatrix,
@@ -22,13 +21,14 @@ from verify.paper.commands import (
     step,
     theorem1,
 )
-from verify.paper.parameters import THEOREM
+from verify.paper.parameters import ALL_PARAMETERS, THEOREM
 from verify.paper.step import STEP
 from verify.prover.outcome import Outcome
 from verify.spheres.scene.decide import UNDECIDED, decide_scene
 from verify.spheres.scene.scene_files import read_scene, scene_bytes
 from verify.wire.judge import judged
 
+decided_all = partial(pages.decide, "all_parameters")
 decided_set = partial(pages.decide, "printed_set")
 decided_sign = partial(pages.decide, "printed_sign")
 decided_thresholds = partial(pages.decide, "thresholds")
@@ -77,7 +77,7 @@ class Theorem(Record):
 THEOREMS = (
     Theorem("step", STEP, step.decide_step),
     Theorem("step-printed", "step-printed", step.decide_step_printed),
-    Theorem("theorem1-all", f"{THEOREM} for all parameters", everywhere.decide_everywhere),
+    Theorem("theorem1-all", ALL_PARAMETERS, decided_all),
     Theorem("printed-set", f"{THEOREM}, the set as printed", decided_set),
     Theorem(
         "printed-sign", f"{THEOREM}, the sign as printed", partial(pages.decide, "printed_sign")

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 
 from verify.language.statement import PROVED, Statement
 from verify.language.terms import Term
-from verify.paper.commands import box, everywhere, scene, separatrix, spectrum, step, theorem1
+from verify.paper.commands import box, pages, scene, separatrix, spectrum, step, theorem1
 from verify.paper.commands.certificates import THEOREMS
-from verify.paper.parameters import REPAIRED, THEOREM
+from verify.paper.parameters import ALL_PARAMETERS, REPAIRED
 from verify.prover.outcome import Outcome
 from verify.wire.inputs import are_allowed
 from verify.wire.term_json import TermReader
@@ -24,7 +25,7 @@ SELECTIONS = ("all", REPAIRED)
 
 #: What states the theorems without parameters that take long to decide.
 ONLY_STATED: dict[str, Callable[[], Statement]] = {
-    f"{THEOREM} for all parameters": everywhere.state_everywhere,
+    ALL_PARAMETERS: partial(pages.statement, "all_parameters"),
     "THEORSS3.5SpectMatricVitLm": spectrum.state_spectrum,
 }
 

@@ -13,7 +13,6 @@ from typing import Any
 
 from verify import check
 from verify.paper.commands import curves
-from verify.paper.commands.everywhere import decide_everywhere, decide_printed_everywhere
 from verify.paper.commands.pages import accepted
 from verify.paper.commands.regenerate import is_right_when_accepted
 from verify.paper.commands.report_files import CertificateError, read_file, unusable
@@ -23,9 +22,8 @@ from verify.paper.commands.separatrix import NAME as SEPARATRIX
 from verify.paper.commands.separatrix import stored_curve
 from verify.paper.commands.thresholds import all_shares, bands
 from verify.paper.commands.whole import whole
-from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
 from verify.paper.glossary import LETTERS
-from verify.paper.parameters import PRINTED, REPAIRED, THEOREM
+from verify.paper.parameters import ALL_PARAMETERS, PRINTED, REPAIRED, THEOREM
 from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
 from verify.views.material import (
@@ -99,7 +97,7 @@ def read_material(
             f"{directory!r} has no certificate of {THEOREM}; make it with verify certify"
         )
     progress("enclosing what the plots show")
-    found = [f.outcome for f in folders if f.outcome.statement.theorem == EVERYWHERE]
+    found = [f.outcome for f in folders if f.outcome.statement.theorem == ALL_PARAMETERS]
     return Material(
         PAPER,
         LETTERS,
@@ -109,7 +107,7 @@ def read_material(
         measurements,
         digests,
         dict(_stories(folders)),
-        plotted(found[0] if found else decide_everywhere()),
+        plotted(found[0] if found else accepted("all_parameters")),
         _checked_in_coq(folders),
         whole(),
         stored_curve() if any(f.outcome.statement.theorem == SEPARATRIX for f in folders) else None,
@@ -132,7 +130,7 @@ def plotted(everywhere: Outcome) -> Plotted:
     return Plotted(
         Region(
             everywhere,
-            decide_printed_everywhere(),
+            accepted("printed_rows"),
             where,
             all_shares(where),
             tuple(bands(where)),

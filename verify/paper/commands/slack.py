@@ -2,7 +2,8 @@
 
 A row is strengthened by taking nine tenths of its larger side; a row that says the sign of a term
 is left as it is. The proof of the row must not prove the stronger claim, and the checker has to
-say so. Where the program finds another proof of it, which the checker accepts, the bound has slack.
+say so. Where another sum proves it, of products of the same facts, of the signs of the chart, and
+of the entries of the minima that are in the row, and the checker accepts it, the bound has slack.
 """
 
 from __future__ import annotations
@@ -11,20 +12,28 @@ from collections.abc import Collection, Iterable, Iterator
 from fractions import Fraction
 
 from verify import check
+from verify.language.argument import ByNames, BySum, Line
 from verify.language.record import Record
 from verify.language.statement import Obligation
-from verify.language.terms import Claim, Term, substitute
-from verify.paper.commands.everywhere import Everywhere, everywhere_run
-from verify.paper.everywhere.chart import CONTEXT
-from verify.paper.everywhere.everywhere import values_at
+from verify.language.terms import Claim, Term, as_term, names_of, substitute
+from verify.paper.commands import pages
+from verify.paper.parameters import PARAMETERS, REPAIRED
+from verify.prover.arguments import Writing, facts_of
+from verify.prover.budget import WorkBudget
 from verify.prover.ground import Ground
 from verify.prover.outcome import Outcome
-from verify.prover.positivity import NotFoundError
 from verify.prover.proof import LemmaStep, Proof, Step
+from verify.prover.rules import Sum
+from verify.prover.session import ZERO
 from verify.wire.write import digest, write
 
 SHARE = Fraction(9, 10)
-#: Where the signs of the sides are looked up.
+#: The signs of the chart, and the work for one bound.
+SIGNS = ("u-positive", "u-below-one", "p-positive", "p-below-half")
+WORK = 2_000_000
+#: The page with the bounds, and its context.
+PAGE, CONTEXT = "all_parameters", "everywhere"
+#: Where the signs of the sides are looked up: r, -cos theta_0, V_0 and delta_theta.
 POINT = ("3/100", "1", "1", "1/10")
 
 
@@ -59,7 +68,11 @@ def find_slack(rows: Collection[str] | None = None, *, search: bool = True) -> S
 
     Without ``search`` no other proofs are looked for.
     """
-    work, outcome = everywhere_run()
+    argument = pages.argument(PAGE)
+    work = Writing(argument.statement, budget=WorkBudget(WORK))
+    for chapter in argument.chapters:
+        work.chapter(chapter)
+    outcome = Outcome(argument.statement, work.decisions, tuple(work.session.steps), {})
     bounds = [
         bound._replace(fresh=_fresh(work, bound)) if search else bound
         for bound in _bounds(work, outcome)
@@ -75,7 +88,7 @@ def find_slack(rows: Collection[str] | None = None, *, search: bool = True) -> S
     )
 
 
-def _bounds(work: Everywhere, outcome: Outcome) -> Iterator[Bound]:
+def _bounds(work: Writing, outcome: Outcome) -> Iterator[Bound]:
     values, ground = values_at(POINT), Ground(work.session)
     for row, found in outcome.rows:
         if isinstance(row.claim, Claim) and row.context == CONTEXT and found.proof is not None:
@@ -84,12 +97,34 @@ def _bounds(work: Everywhere, outcome: Outcome) -> Iterator[Bound]:
                 yield Bound(row, sharper, found.proof)
 
 
-def _fresh(work: Everywhere, bound: Bound) -> Proof | None:
-    """Another proof; not where already the row itself needs a hint, as the search is long there."""
-    try:
-        return None if bound.row.name in work.hints else work.proofs.proof("", bound.stronger)
-    except NotFoundError:
+def _fresh(work: Writing, bound: Bound) -> Proof | None:
+    """Another sum of products, if one is found."""
+    if not isinstance(bound.proof, Sum):
         return None
+    old = BySum(bound.proof.addends, bound.proof.using, bound.proof.equations)
+    facts = dict.fromkeys((*facts_of(old), *SIGNS, *_entries(work, bound.stronger)))
+    return work.found(Line(bound.row.name, bound.stronger, ByNames((*facts,))), CONTEXT)
+
+
+def _entries(work: Writing, claim: Claim) -> Iterator[str]:
+    """What is known of the minima in a claim, and of no others, in the chart."""
+    own = _minima(claim)
+    for name, known in work.session.claims.items():
+        if known.lhs == ZERO and own.issuperset(_minima(known)) and _minima(known):
+            yield name
+
+
+def _minima(claim: Claim) -> set[str]:
+    """The constants of the set in a claim."""
+    return {name for name in names_of(claim.lhs, claim.rhs) if name.startswith(f"{REPAIRED}.")}
+
+
+def values_at(point: tuple[str, ...]) -> dict[str, Term]:
+    """All constants at r, -cos theta_0, V_0 and delta_theta, as terms without names."""
+    values = {name: as_term(Fraction(x)) for name, x in zip(PARAMETERS, point, strict=True)}
+    for constant in pages.statement(PAGE).context(CONTEXT).constants:
+        values[constant.name] = substitute(constant.term, values)
+    return values
 
 
 def _steps(bounds: Iterable[Bound]) -> Iterator[Step]:

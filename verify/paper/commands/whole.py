@@ -6,7 +6,6 @@ from importlib.resources import files
 
 from verify.language.statement import HYPOTHESES, NEEDED, REPAIRED
 from verify.paper.commands.pages import statement
-from verify.paper.everywhere.chart import DERIVED
 from verify.paper.step import MEANING, STEP
 from verify.paper.theorem1 import theorem
 from verify.views.material import Whole
@@ -38,7 +37,7 @@ def whole() -> Whole:
     letters = PARAMETERS | {c.name: (c.letter, c.tex) for c in every}
     letters |= {f"{name}_start": pair for name, pair in START.items()}
     letters |= {name: letters[term.name] for name, term in MEANING.items()}
-    derived = {f"{HYPOTHESES}.{name}" for name in DERIVED}
+    derived = {row.name for row in statement("all_parameters").obligations}
     hypotheses = tuple(
         row.says
         for row in theorem().parts[HYPOTHESES].obligations

@@ -35,14 +35,13 @@ from verify.language.statement import (
     Variable,
 )
 from verify.language.terms import Term, as_term, substitute, symbol
-from verify.paper.everywhere import chart
-from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
-from verify.paper.parameters import HYPOTHESES, THEOREM, V_0, c, delta_theta, r
+from verify.paper.parameters import ALL_PARAMETERS, HYPOTHESES, THEOREM, V_0, c, delta_theta, r
 from verify.paper.theorem1 import theorem
 
 CONTEXT = "box"
 CITED = "all"
-STABILITY = chart.hypothesis("stability")
+#: The context of all parameters in the page `all_parameters.toml`.
+EVERYWHERE = "everywhere"
 APPLIED = "theorem"
 NAME = f"{THEOREM} on a box"
 TITLES = {
@@ -53,6 +52,14 @@ TITLES = {
 r_low, r_high, c_low, c_high = map(symbol, ("r_low", "r_high", "c_low", "c_high"))
 PARAMETERS = ("r_low", "r_high", "c_low", "c_high", "V_0", "delta_theta")
 
+
+def hypothesis(name: str) -> str:
+    """The full name of a hypothesis."""
+    return f"{HYPOTHESES}.{name}"
+
+
+STABILITY = hypothesis("stability")
+R, C, BELOW_ONE = map(hypothesis, ("r-positive", "angle-obtuse", "r-below-one"))
 
 #: The number g(r, c), which is positive where the stability condition holds.
 EXCESS = (1 + r) ** 2 * c**3 / 8 - 3 * r * c / 2 - r
@@ -97,13 +104,12 @@ def _stability() -> Obligation:
 
 def _applied() -> Obligation:
     at = {"r": r, "c": c, "V_0": V_0, "delta_theta": delta_theta}
-    says = f"the hypotheses hold, and so does all of '{EVERYWHERE}', at all points of the box"
-    theorem_there = Applies(f"{CITED}:{chart.CONTEXT}", at)
+    says = f"the hypotheses hold, and so does all of '{ALL_PARAMETERS}', at all points of the box"
+    theorem_there = Applies(f"{CITED}:{EVERYWHERE}", at)
     return Obligation(APPLIED, HYPOTHESES, THEOREM, NEEDED, says, theorem_there, context=CONTEXT)
 
 
 EIGHTH = Fraction(1, 8)
-R, C = chart.R, chart.C
 PLUS_R = plus(1, R)
 #: For how the excess falls in r; at both ends, where it is as small as it can be.
 FALL_HIGH = 1 + 3 * c_low / 2 - c_low**3 * (1 + r_high) / 4
@@ -126,8 +132,8 @@ def numbers(*, holds: bool) -> tuple[Line, ...]:
         Line("c_high-at-most-one", c_high <= 1, found),
         Line("corner", 0 < corner if holds else 0 <= -corner, found),
         Line("fall", 0 < (FALL_HIGH if holds else FALL_LOW), found),
-        Line(chart.hypothesis("V_0-positive"), 0 < V_0, found),
-        Line(chart.hypothesis("delta-theta-positive"), 0 < delta_theta, found),
+        Line(hypothesis("V_0-positive"), 0 < V_0, found),
+        Line(hypothesis("delta-theta-positive"), 0 < delta_theta, found),
     )
 
 
@@ -135,9 +141,9 @@ def lines() -> tuple[Line, ...]:
     """The hypotheses that are about r or about c."""
     return (
         Line(R, 0 < r, proof("r-from", "r_low-positive")),
-        Line(chart.ONE, r < 1, proof("r-to", "r_high-below-one")),
+        Line(BELOW_ONE, r < 1, proof("r-to", "r_high-below-one")),
         Line(C, 0 < c, proof("c-from", "c_low-positive")),
-        Line(chart.hypothesis("angle-real"), c <= as_term(1), proof("c-to", "c_high-at-most-one")),
+        Line(hypothesis("angle-real"), c <= as_term(1), proof("c-to", "c_high-at-most-one")),
     )
 
 
@@ -151,7 +157,7 @@ def stable() -> BySum:
 def unstable() -> BySum:
     """It fails everywhere if it fails at the corner with the smallest r and the largest c."""
     end = plus("c_low-positive", "c-ends")
-    room = plus("fall", times(EIGHTH, power(end, 3), chart.ONE))
+    room = plus("fall", times(EIGHTH, power(end, 3), BELOW_ONE))
     return _from_corner(end, times("r-from", room), "c-to")
 
 
@@ -160,8 +166,3 @@ def _from_corner(end: Value, fall: Value, side: Value) -> BySum:
     growth = times(EIGHTH, power(PLUS_R, 2), C, end, plus(C, end))
     value = plus(times(C, plus("corner", fall)), times(side, plus(growth, R)))
     return scaled(times(end, "goal"), times(PLUS_R, value))
-
-
-def premises() -> tuple[str, ...]:
-    """The facts which say that the hypotheses of the theorem for all parameters hold."""
-    return tuple(given.name for given in chart.context().givens)

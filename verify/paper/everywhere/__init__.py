@@ -1,1 +1,0 @@
-"""`THEORSS4.1ExistenCollapse` for all parameters at once."""

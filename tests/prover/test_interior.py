@@ -115,6 +115,20 @@ def test_the_page_says_how_givens_contradict_each_other(
         read_page_of("a.toml", page(variables, given), {})
 
 
+@pytest.mark.parametrize("divisor", ["(a - b)", "(1 - sqrt(2))", "c", "(-2)"])
+def test_a_divisor_of_unknown_sign_shows_no_contradiction(divisor: str) -> None:
+    """All divisors are negative, so that the first two givens hold for all x from 1 on."""
+    given = [f"x/{divisor} <= 0", "x >= 1", "exp(y) = 3", "y > 1"]
+    around = (
+        "[contexts.around]\nvariables = ['c']\ngiven = ['c < 0']\n[contexts.box]\nin = 'around'"
+    )
+    text = page([*"xy"], given).decode().replace("[contexts.box]", around)
+    constants = "[constants]\na = '1'\nb = 'sqrt(2)'\n[contexts.around]"
+    text = text.replace("[contexts.around]", constants)
+    with pytest.raises(InputError, match="no point was found"):
+        read_page_of("a.toml", text.encode(), {})
+
+
 def test_no_point_is_proposed_that_violates_the_givens() -> None:
     with pytest.raises(InputError, match=r"write one, as point = { x = \.\.\. }"):
         read_page_of("a.toml", page(["x"], ["exp(x) = x"]), {})

@@ -158,6 +158,23 @@ def test_what_is_not_understood_is_refused_with_its_line(
     assert "line 3: " in told.err
 
 
+@pytest.mark.parametrize(
+    ("body", "declared"),
+    [
+        ("(+ y pi)", "(declare-const pi Real)"),
+        ("(+ y real.pi)", "(define-fun real.pi () Real 1)"),
+        ("(abs y)", "(define-fun abs ((z Real)) Real (- z))"),
+        ("(sin (cos y))", "(push 1)(define-fun cos ((z Real)) Real z)"),
+    ],
+)
+def test_a_word_of_a_defined_function_keeps_its_meaning(body: str, declared: str) -> None:
+    """With the new meaning, f(2) of the second file would be -2."""
+    text = f"(define-fun f ((y Real)) Real {body})\n{declared}\n(assert (= (f 2) 2))(check-sat)"
+    with pytest.raises(InputError, match=r"f\.smt2, line 2: .* choose another name"):
+        read_smtlib("f.smt2", text.encode())
+    assert read_smtlib("f.smt2", "\n".join(text.split("\n")[1:]).replace("f 2", "+ 1 1").encode())
+
+
 def test_the_worst_answer_is_the_exit_code(tmp_path: Path) -> None:
     path = tmp_path / "f.smt2"
     refuted, proved = (

@@ -44,7 +44,8 @@ Point = list[Fraction]
 class Linear(Record):
     """A claim as c + a_1 x_1 + ... >= 0, > 0 if it is strict, or = 0.
 
-    It is exact unless numbers in it, such as roots, were replaced by floats.
+    It is exact unless numbers in it, such as roots, were replaced by floats, or floats alone say
+    which sign a divisor has.
     """
 
     claim: Claim
@@ -175,7 +176,7 @@ class Givens:
         if any(d for p in divisors for x, d in zip(places, p.degrees(), strict=True) if x != -1):
             return None
         slopes: dict[int, fmpq] = {}
-        is_exact = True
+        is_exact = all(divisor.is_constant() for divisor in divisors)
         for exponents, coefficient in polynomial.to_dict().items():
             value, variable = coefficient, -1
             for atom, place, power in zip(clearing.atoms, places, exponents, strict=True):

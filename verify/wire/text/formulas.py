@@ -304,6 +304,8 @@ class Reader:
     def __init__(self, source: Source, dialect: Dialect) -> None:
         self.source, self.dialect = source, dialect
         self.globals = Scope()
+        #: Operations and numbers of the language that were meant by their names so far.
+        self.meant: set[str] = set()
         self._left = MAX_READ
         self._called: dict[tuple[Function, tuple[Value, ...]], Value] = {}
 
@@ -361,6 +363,7 @@ class Reader:
                 head, f"{shown(head)} stands alone; write what it is applied to"
             )
         if head in self.dialect.operations:
+            self.meant.add(head)
             return self._applied(head, [self.real(part, scope) for part in parts])
         if head in self.dialect.words:
             found = self._formula(head, parts, scope)
@@ -380,6 +383,7 @@ class Reader:
             where = f"{self.source.path}, line {word.line}"
             return real(as_term(rational(where, text.lstrip("+"))))
         if word in self.dialect.numbers:
+            self.meant.add(word)
             return real(self.dialect.numbers[word])
         if word in self.dialect.truths:
             return (FALSE, TRUE)[self.dialect.truths.index(word)]
@@ -434,7 +438,7 @@ class Reader:
         """The value of a function at these arguments.
 
         In its body are known its parameters, and what stands around its definition: names of a
-        file that are declared never change.
+        file that are declared never change, and those that are ``meant`` are not declared later.
         """
         key = (function, values)
         if key not in self._called:

@@ -150,6 +150,9 @@ class _File:
             raise self.source.error(name, f"{shown(name)} cannot be a name; choose another one")
         if name in self.reader.globals.own:
             raise self.source.error(name, f"{shown(name)} is declared twice; choose another name")
+        if name in self.reader.meant:
+            what = f"{shown(name)} stands for a function or number above; choose another name"
+            raise self.source.error(name, what)
         self.reader.globals.own[name] = value
         self.levels[-1].names.append(name)
 

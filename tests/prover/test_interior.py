@@ -9,6 +9,7 @@ import pytest
 
 from verify.language.fold import RATIONAL, fold
 from verify.language.terms import Claim, Term, as_term, symbol
+from verify.prover.budget import WorkBudget
 from verify.prover.relations import holds
 from verify.prover.search.interior import contradiction_of, interior
 from verify.wire.inputs import InputError
@@ -51,7 +52,11 @@ def drawn(seed: int) -> tuple[list[str], list[Claim]]:
 def test_linear_claims_have_a_point_or_contradict_each_other(seed: int) -> None:
     names, claims = drawn(seed)
     point = interior(
-        names, claims, {}, lambda p: at_point(claims, dict(zip(names, p, strict=True)))
+        names,
+        claims,
+        {},
+        lambda p: at_point(claims, dict(zip(names, p, strict=True))),
+        WorkBudget(300_000),
     )
     wrong = contradiction_of(names, claims)
     assert (point is None) == (wrong is not None)

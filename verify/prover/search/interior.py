@@ -27,7 +27,7 @@ from verify.prover.search.compiled import estimates
 from verify.prover.search.local_minima import DISTANCES, Violations, simple_points
 from verify.prover.search.simplex import Column, solution
 
-#: About the number of microseconds that a point may take.
+#: About the number of microseconds that a contradiction may take.
 WORK = 300_000
 #: The row that says that a sum is strict.
 STRICT = 0
@@ -83,7 +83,11 @@ class Givens:
     """
 
     def __init__(
-        self, variables: Sequence[str], claims: Sequence[Claim], values: Mapping[str, float]
+        self,
+        variables: Sequence[str],
+        claims: Sequence[Claim],
+        values: Mapping[str, float],
+        budget: WorkBudget,
     ) -> None:
         self.variables, self.claims = [*variables], [*claims]
         self.numbers = {
@@ -91,7 +95,7 @@ class Givens:
             for name, value in values.items()
             if math.isfinite(value) and name not in self.variables
         }
-        self.budget = WorkBudget(WORK)
+        self.budget = budget
         found = map(self._linear, self.claims)
         self.linear = [one for one in found if one is not None]
 
@@ -235,13 +239,14 @@ def interior(
     claims: Sequence[Claim],
     values: Mapping[str, float],
     holds: Callable[[Point], bool],
+    budget: WorkBudget,
 ) -> Point | None:
-    """A point at which the claims hold, as the caller sees it.
+    """A point at which the claims hold, as the caller sees it; None if the work ends before.
 
     ``values`` has about what the other names stand for.
     """
     try:
-        givens = Givens(variables, claims, values)
+        givens = Givens(variables, claims, values, budget)
         centre = givens.centre()
         if centre is None or holds(centre):
             return centre
@@ -253,6 +258,6 @@ def interior(
 def contradiction_of(variables: Sequence[str], claims: Sequence[Claim]) -> Contradiction | None:
     """A sum of the claims that are linear which is false."""
     try:
-        return Givens(variables, claims, {}).contradiction()
+        return Givens(variables, claims, {}, WorkBudget(WORK)).contradiction()
     except (SpentError, OverflowError):
         return None

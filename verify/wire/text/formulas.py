@@ -25,6 +25,8 @@ from verify.wire.text.lisp import Source, Tree, Word
 MAX_CASES = 64
 #: So many trees are read at most, those of a function each time that it is called.
 MAX_READ = 100_000
+#: What is ``distinct`` has at most half as many pairs.
+MAX_PAIRS = 50_000
 
 _NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?|[+-]?[0-9]+/[0-9]+")
 
@@ -526,6 +528,10 @@ class Reader:
         """What a chain such as ``(< a b c)`` says, of numbers; of formulas that they are equal."""
         if len(parts) < 2:
             raise self.source.error(head, f"{head} needs at least two terms")
+        if head == self.dialect.unequal and len(parts) ** 2 > MAX_PAIRS:
+            raise self.source.error(
+                head, f"{head} of {len(parts)} terms has too many pairs; write parts of it"
+            )
         first, is_same = self.value(parts[0], scope), self.dialect.relations.get(head) == "="
         pairs = combinations if head == self.dialect.unequal else lambda items, _: pairwise(items)
         if isinstance(first, Formula) and (is_same or head == self.dialect.unequal):

@@ -28,7 +28,7 @@ from verify.wire.text import Page
 from verify.wire.text.infix import Names, read_claims, read_givens, read_term
 from verify.wire.text.letters import letter_of, name_of, tex_of
 from verify.wire.text.places import Places
-from verify.wire.text.points import a_point, contradiction, estimate
+from verify.wire.text.points import Points, contradiction, estimate
 from verify.wire.text.roots import isolated
 from verify.wire.text.scope import Scope
 from verify.wire.text.vectors import gram_of, products_of
@@ -72,6 +72,7 @@ class Reader:
         self.premises: dict[str, tuple[str, ...]] = {}
         self.granted_by: str | None = None
         self.contexts_cited: dict[str, tuple[tuple[Variable, ...], str | None]] = {}
+        self.points = Points()
         self.floats: dict[str, float] = {}  # about what names stand for, to guess points
 
     # --- what stands under a key ----------------------------------------------------------------
@@ -310,7 +311,7 @@ class Reader:
         if at is None:
             new = [variable.name for variable in names.values()]
             around = [other for other, home in self.scope.homes.items() if home is not None]
-            at = a_point(new, givens, self.floats, {*around} - {*new})
+            at = self.points.find(new, givens, self.floats, {*around} - {*new})
             if at is None:
                 sides = ", ".join(f"{written} = ..." for written in names)
                 wrong = contradiction(new, givens)

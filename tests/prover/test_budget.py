@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from typing import Any
 
 import pytest
 
@@ -12,7 +13,7 @@ from verify.prover.budget import SpentError, WorkBudget
 from verify.prover.proof import Proof
 from verify.prover.search.question import Question
 from verify.prover.techniques import Technique
-from verify.wire.questions import decide, read_page_of
+from verify.wire.questions import Reading, decide, read_page_of
 
 SECONDS = 1.0
 #: What a loaded machine needs besides.
@@ -56,6 +57,22 @@ def test_what_is_proved_in_time_is_kept() -> None:
     text += 'hard = "sum(x^k, k, 0, 500) <= 2"\nlast = "x <= 2"\n'
     found = decide(read_page_of("a.toml", text.encode(), {}).statement, WorkBudget(seconds=3))
     assert [d.verdict for d in found.decisions.values()] == ["proved", "undecided", "proved"]
+
+
+def test_an_alarm_at_the_end_of_a_check_ends_no_program(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A check that is over by a hair rings where its answer is already on the way."""
+    price = Reading.price
+
+    def slow(self: Reading, *row: Any) -> str:
+        found = price(self, *row)
+        if row[0] is not None:
+            time.sleep(SECONDS)
+        return found
+
+    monkeypatch.setattr(Reading, "price", slow)
+    asked = read_page_of("a.toml", page(["x"], ["0 <= x"], "0 <= x + 1"), {}).statement
+    found = decide(asked, WorkBudget(seconds=SECONDS / 2))
+    assert found.decisions["row"].verdict in ("proved", "undecided")
 
 
 def test_an_alarm_rings_only_inside() -> None:

@@ -9,6 +9,7 @@ import pytest
 
 from verify.language.fold import RATIONAL, fold
 from verify.language.terms import Claim, Term, as_term, symbol
+from verify.prover.budget import WorkBudget
 from verify.prover.relations import holds
 from verify.prover.search.interior import contradiction_of, interior
 from verify.wire.inputs import InputError
@@ -51,7 +52,11 @@ def drawn(seed: int) -> tuple[list[str], list[Claim]]:
 def test_linear_claims_have_a_point_or_contradict_each_other(seed: int) -> None:
     names, claims = drawn(seed)
     point = interior(
-        names, claims, {}, lambda p: at_point(claims, dict(zip(names, p, strict=True)))
+        names,
+        claims,
+        {},
+        lambda p: at_point(claims, dict(zip(names, p, strict=True))),
+        WorkBudget(300_000),
     )
     wrong = contradiction_of(names, claims)
     assert (point is None) == (wrong is not None)
@@ -113,6 +118,20 @@ def test_the_page_says_how_givens_contradict_each_other(
 ) -> None:
     with pytest.raises(InputError, match=r"line 2: .* the givens contradict each other"):
         read_page_of("a.toml", page(variables, given), {})
+
+
+@pytest.mark.parametrize("divisor", ["(a - b)", "(1 - sqrt(2))", "c", "(-2)"])
+def test_a_divisor_of_unknown_sign_shows_no_contradiction(divisor: str) -> None:
+    """All divisors are negative, so that the first two givens hold for all x from 1 on."""
+    given = [f"x/{divisor} <= 0", "x >= 1", "exp(y) = 3", "y > 1"]
+    around = (
+        "[contexts.around]\nvariables = ['c']\ngiven = ['c < 0']\n[contexts.box]\nin = 'around'"
+    )
+    text = page([*"xy"], given).decode().replace("[contexts.box]", around)
+    constants = "[constants]\na = '1'\nb = 'sqrt(2)'\n[contexts.around]"
+    text = text.replace("[contexts.around]", constants)
+    with pytest.raises(InputError, match="no point was found"):
+        read_page_of("a.toml", text.encode(), {})
 
 
 def test_no_point_is_proposed_that_violates_the_givens() -> None:

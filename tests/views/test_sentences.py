@@ -11,7 +11,9 @@ import pytest
 from tests.points import parameters
 from tests.prover.test_decimals import shown, value_of
 from verify.cli import main
-from verify.language.statement import PROVED
+from verify.language.statement import NEEDED, PROVED, Obligation
+from verify.language.terms import Claim, as_term, symbol
+from verify.language.typeset import LONG, Typesetter
 from verify.paper.commands.theorem1 import decide_point
 from verify.prover.outcome import Outcome
 from verify.views import words
@@ -120,3 +122,11 @@ def test_a_sentence_about_a_committed_certificate_is_not_empty() -> None:
             r"\[(-?[\d.]+(?:·10[⁻⁰-⁹¹²³]+)?), (-?[\d.]+(?:·10\S+?)?)\]", text
         ):
             assert value_of(low) <= value_of(high), (path, low, high)
+
+
+def test_a_row_whose_claim_is_long_says_where_it_is() -> None:
+    """Its line was empty: "proved    a     by interval"."""
+    claim = Claim("<", symbol("x"), as_term(10**500))
+    row = Obligation("a", "", "", NEEDED, "", claim)
+    assert words.sentence(row, Typesetter({})) == LONG
+    assert words.sentence(row._replace(says="as said"), Typesetter({})) == "as said"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import resource
+import time
 from itertools import permutations
 from pathlib import Path
 
@@ -158,6 +159,23 @@ def test_what_is_not_understood_is_refused_with_its_line(
     assert "line 3: " in told.err
 
 
+@pytest.mark.parametrize(
+    ("body", "declared"),
+    [
+        ("(+ y pi)", "(declare-const pi Real)"),
+        ("(+ y real.pi)", "(define-fun real.pi () Real 1)"),
+        ("(abs y)", "(define-fun abs ((z Real)) Real (- z))"),
+        ("(sin (cos y))", "(push 1)(define-fun cos ((z Real)) Real z)"),
+    ],
+)
+def test_a_word_of_a_defined_function_keeps_its_meaning(body: str, declared: str) -> None:
+    """With the new meaning, f(2) of the second file would be -2."""
+    text = f"(define-fun f ((y Real)) Real {body})\n{declared}\n(assert (= (f 2) 2))(check-sat)"
+    with pytest.raises(InputError, match=r"f\.smt2, line 2: .* choose another name"):
+        read_smtlib("f.smt2", text.encode())
+    assert read_smtlib("f.smt2", "\n".join(text.split("\n")[1:]).replace("f 2", "+ 1 1").encode())
+
+
 def test_the_worst_answer_is_the_exit_code(tmp_path: Path) -> None:
     path = tmp_path / "f.smt2"
     refuted, proved = (
@@ -242,6 +260,16 @@ def test_what_is_not_understood_of_fpcore_is_refused(core: str) -> None:
         read_fpcore("f.fpcore", core.encode())
 
 
+def test_many_expressions_are_sampled_together() -> None:
+    core = "(FPCore (x) :pre (<= 0 x 1) (+ (* x x) (sin (* x {}))))"
+    begin = time.process_time()
+    text = "".join(map(core.format, range(250)))
+    assert len(read_fpcore("f.fpcore", text.encode()).obligations) == 500
+    assert time.process_time() - begin < 7.5
+    with pytest.raises(InputError, match="more than 256 expressions; split the file"):
+        read_fpcore("f.fpcore", "".join(map(core.format, range(257))).encode())
+
+
 def test_texts_of_fpcore_end_where_they_end() -> None:
     core = r'(FPCore (x) :name "a\" :pre (<= 5 x 6) \"" :pre (<= 0 x 1) (! :precision binary32 x))'
     (context,) = read_fpcore("f.fpcore", core.encode()).contexts
@@ -293,6 +321,36 @@ def test_another_form_is_tried_where_the_first_is_not_decided() -> None:
 
 
 # --- bombs ---------------------------------------------------------------------------------------
+
+
+def test_numbers_and_choices_without_end_are_not_looked_at() -> None:
+    """Each file took more than 20 seconds, or more than a gigabyte."""
+    power = f"{X}(assert (= x (^ (^ (^ 9 999) 999) 999)))"
+    assert read_smtlib("f.smt2", power.encode()).statement.obligations
+    names = [f"x{i}" for i in range(300)]
+    declared = "".join(f"(declare-const {name} Real)" for name in names)
+    for count, why in ((200, "more than 64 cases"), (300, "too many pairs")):
+        text = f"{declared}(assert (distinct {' '.join(names[:count])}))(check-sat)"
+        with pytest.raises(InputError, match=why):
+            read_smtlib("f.smt2", text.encode())
+
+
+def test_the_points_of_all_questions_are_looked_for_together() -> None:
+    """A point of each question alone would take two seconds."""
+    names = [f"x{i}" for i in range(60)]
+    text = "".join(f"(declare-const {name} Real)" for name in names)
+    for i, name in enumerate(names):
+        other, third = names[(7 * i + 1) % 60], names[(i + 3) % 60]
+        text += f"(push 1)(assert (> (* {name} {other}) (+ {third} 1)))(check-sat)"
+    begin = time.process_time()
+    assert len(read_smtlib("f.smt2", text.encode()).statement.obligations) == len(names)
+    assert time.process_time() - begin < 10
+
+
+def test_assertions_that_make_a_long_statement_are_refused() -> None:
+    text = X + "(push 1)(assert (< x 1))(check-sat)" * 250
+    with pytest.raises(InputError, match=r"line 1: .* assertions together; split the file"):
+        read_smtlib("f.smt2", text.encode())
 
 
 def _chain(count: int, line: str) -> str:

@@ -26,6 +26,7 @@ from verify.wire.inputs import InputError
 from verify.wire.text.conjunctions import Asked, forms
 from verify.wire.text.fpcore import read_fpcore
 from verify.wire.text.lisp import SMTLIB, Source
+from verify.wire.text.points import Points
 from verify.wire.text.smtlib import _File
 
 FILES = int(os.environ.get("READER_FILES", "200"))
@@ -115,7 +116,7 @@ def test_each_form_of_a_row_says_the_same(first: int) -> None:
         reading = read(Draw(seed).smtlib())
         for number, cases in reading.cases.items() if reading else ():
             for asked, claims in cases:
-                for context, row in islice(forms(asked, claims, reading.file.order), 2):
+                for context, row in islice(forms(asked, claims, reading.file.order, Points()), 2):
                     givens = [] if context is None else [g.claim for g in context.givens]
                     names = [v.name for v in (context.variables if context else ())]
                     for at in points(names, seed + number):

@@ -58,3 +58,28 @@ RATIONAL: Mapping[str, Callable[..., Fraction]] = {
     "neg": lambda x: -x,
     "pow": lambda x, exponent: x**exponent,
 }
+
+
+#: The longest numbers, in bits, of `BOUNDED`.
+MAX_BITS = 10_000
+
+
+def bits_of(number: Fraction) -> int:
+    """About how long the longer part of a number is."""
+    return max(number.numerator.bit_length(), number.denominator.bit_length())
+
+
+def _bounded(op: str, function: Callable[..., Fraction]) -> Callable[..., Fraction]:
+    def found(*values: Fraction) -> Fraction:
+        if op == "pow" and bits_of(values[0]) * values[1] > 2 * MAX_BITS:
+            raise OverflowError(f"a power has more than {MAX_BITS} bits")
+        number = function(*values)
+        if bits_of(number) > MAX_BITS:
+            raise OverflowError(f"a number has more than {MAX_BITS} bits")
+        return number
+
+    return found
+
+
+#: The same, where longer numbers are an OverflowError: a short term may be a number of any length.
+BOUNDED = {op: _bounded(op, function) for op, function in RATIONAL.items()}

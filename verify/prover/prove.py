@@ -265,8 +265,7 @@ def _tried(row: Obligation, universal: Universal, price: Price) -> Decision:
         undo()
         return found._replace(reason=_reason(found, row, universal))
     begin = monotonic()
-    with universal.budget.alarm():
-        reason = price(row, found.claimed, universal.session.steps[first:])
+    reason = price(row, found.claimed, universal.session.steps[first:])
     universal.budget.set_aside(monotonic() - begin)
     if reason:
         undo()

@@ -25,7 +25,7 @@ from verify.language.statement import (
     Publication,
 )
 from verify.language.terms import Claim, Term, names_of, symbol
-from verify.language.typeset import Typesetter
+from verify.language.typeset import LONG, Typesetter
 from verify.prover.decimals import short, told_apart
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 
@@ -317,9 +317,14 @@ def is_called(row: Obligation, word: str, paper: Publication) -> bool:
 
 
 def sentence(row: Obligation, typesetter: Typesetter) -> str:
-    """The step in the paper's words, then the claim that is decided, where that is short."""
+    """The step in the paper's words, then the claim that is decided, where that is short.
+
+    A row without words has a claim that is written, or says where it is.
+    """
     formula = typesetter.claim(row.claim)
-    return f"{row.says}: {formula}" if len(formula) <= MAX_FORMULA else row.says
+    if len(formula) > MAX_FORMULA:
+        return row.says or LONG
+    return f"{row.says}: {formula}"
 
 
 def witness_of(row: Obligation, decision: Decision) -> dict[str, Term]:

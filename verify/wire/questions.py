@@ -90,9 +90,9 @@ def decide(
             found = prove(part, budget=share, cited=cited)
         return not found.spent and all(d.claimed == PROVED for d in found.decisions.values())
 
-    reading, asked = Reading(statement), statement
+    reading, asked = Reading(statement, budget), statement
     statement = completed(statement, proves)
-    price = reading.price if statement is asked else Reading(statement).price
+    price = reading.price if statement is asked else Reading(statement, budget).price
     outcome = prove(statement, budget=budget, price=price, hints=hints, cited=cited)
     try:
         return judged(outcome)
@@ -170,8 +170,8 @@ class Reading:
         InputError: for a statement that it cannot read.
     """
 
-    def __init__(self, statement: Statement) -> None:
-        self._statement = statement
+    def __init__(self, statement: Statement, budget: WorkBudget) -> None:
+        self._statement, self._budget = statement, budget
         cited = {digest(cite.content): cite.content for cite in all_cites(statement.cites)}
         try:
             self._content, self._names = statement_file(_claims(statement, ()))
@@ -180,6 +180,11 @@ class Reading:
             deep = True
         if deep:
             raise TooDeepError("STATEMENT: its terms are too deep; nest fewer operations")
+        if len(self._content) > check.MAX_BYTES:
+            most = f"the checker reads at most {check.MAX_BYTES}"
+            raise InputError(
+                f"STATEMENT: what it says takes {len(self._content)} bytes, and {most}; split it"
+            )
         self._cited = cited
         self._batches: list[tuple[Obligation | None, str, Sequence[Step]]] = []
         _document(self._content, cited)
@@ -188,7 +193,8 @@ class Reading:
     def price(self, row: Obligation | None, claimed: str, steps: Sequence[Step]) -> str:
         """Why the checker does not come to the end of the steps for a row; or nothing."""
         try:
-            self._read(row, claimed, steps)
+            with self._budget.alarm():
+                self._read(row, claimed, steps)
         except (check.Malformed, RecursionError, SpentError) as error:
             is_late = isinstance(error, SpentError)
             if not is_late and not _is_limit(error):  # a mistake of ours, which the judge will name

@@ -27,7 +27,7 @@ from verify.prover.search.compiled import estimates
 from verify.prover.search.local_minima import DISTANCES, Violations, simple_points
 from verify.prover.search.simplex import Column, solution
 
-#: About the number of microseconds that a point may take.
+#: About the number of microseconds that a contradiction may take.
 WORK = 300_000
 #: The row that says that a sum is strict.
 STRICT = 0
@@ -44,7 +44,8 @@ Point = list[Fraction]
 class Linear(Record):
     """A claim as c + a_1 x_1 + ... >= 0, > 0 if it is strict, or = 0.
 
-    It is exact unless numbers in it, such as roots, were replaced by floats.
+    It is exact unless numbers in it, such as roots, were replaced by floats, or floats alone say
+    which sign a divisor has.
     """
 
     claim: Claim
@@ -82,7 +83,11 @@ class Givens:
     """
 
     def __init__(
-        self, variables: Sequence[str], claims: Sequence[Claim], values: Mapping[str, float]
+        self,
+        variables: Sequence[str],
+        claims: Sequence[Claim],
+        values: Mapping[str, float],
+        budget: WorkBudget,
     ) -> None:
         self.variables, self.claims = [*variables], [*claims]
         self.numbers = {
@@ -90,7 +95,7 @@ class Givens:
             for name, value in values.items()
             if math.isfinite(value) and name not in self.variables
         }
-        self.budget = WorkBudget(WORK)
+        self.budget = budget
         found = map(self._linear, self.claims)
         self.linear = [one for one in found if one is not None]
 
@@ -175,7 +180,7 @@ class Givens:
         if any(d for p in divisors for x, d in zip(places, p.degrees(), strict=True) if x != -1):
             return None
         slopes: dict[int, fmpq] = {}
-        is_exact = True
+        is_exact = all(divisor.is_constant() for divisor in divisors)
         for exponents, coefficient in polynomial.to_dict().items():
             value, variable = coefficient, -1
             for atom, place, power in zip(clearing.atoms, places, exponents, strict=True):
@@ -234,13 +239,14 @@ def interior(
     claims: Sequence[Claim],
     values: Mapping[str, float],
     holds: Callable[[Point], bool],
+    budget: WorkBudget,
 ) -> Point | None:
-    """A point at which the claims hold, as the caller sees it.
+    """A point at which the claims hold, as the caller sees it; None if the work ends before.
 
     ``values`` has about what the other names stand for.
     """
     try:
-        givens = Givens(variables, claims, values)
+        givens = Givens(variables, claims, values, budget)
         centre = givens.centre()
         if centre is None or holds(centre):
             return centre
@@ -252,6 +258,6 @@ def interior(
 def contradiction_of(variables: Sequence[str], claims: Sequence[Claim]) -> Contradiction | None:
     """A sum of the claims that are linear which is false."""
     try:
-        return Givens(variables, claims, {}).contradiction()
+        return Givens(variables, claims, {}, WorkBudget(WORK)).contradiction()
     except (SpentError, OverflowError):
         return None

@@ -30,10 +30,12 @@ from verify.language.terms import (
 )
 from verify.wire.text import OTHERS, Form
 from verify.wire.text.formulas import MAX_CASES, Formula
-from verify.wire.text.points import a_point
+from verify.wire.text.points import Points
 
 #: So many branches are looked at, contradictions among them.
 MAX_BRANCHES = 1000
+#: And so many alternatives in all of them, those of each branch anew.
+MAX_LOOKED_AT = 500_000
 #: So many claims are left out of the givens, one after another, until a point of the others is
 #: found; fewer where there are many variables and claims.
 MAX_LEFT, MAX_SEARCHED = 16, 2000
@@ -76,6 +78,7 @@ class Order:
     def __init__(self) -> None:
         self._terms: dict[Term, bytes] = {}
         self._sizes: dict[Term, int] = {}
+        self._claims: dict[Claim, tuple[bool, int, bytes]] = {}
         self._formulas: dict[Formula, bytes] = {}
 
     def size(self, claim: Claim) -> int:
@@ -84,10 +87,13 @@ class Order:
 
     def of_claim(self, claim: Claim) -> tuple[bool, int, bytes]:
         """A key by which claims whose terms may have no value come last, and small ones first."""
+        if claim in self._claims:
+            return self._claims[claim]
         sides = claim.lhs, claim.rhs
         may_have_none = any(part.op in _PARTIAL for part in parts_of(*sides))
         text = _digest(claim.relation, *(fold(side, _DIGESTS, self._terms) for side in sides))
-        return may_have_none, self.size(claim), text
+        found = self._claims[claim] = (may_have_none, self.size(claim), text)
+        return found
 
     def of_formula(self, formula: Formula) -> bytes:
         """A key of a formula, which does not depend on the order of what it joins."""
@@ -197,12 +203,14 @@ def cases(formulas: Sequence[Formula], order: Order) -> list[list[Claim]]:
     """
     first = sorted(dict.fromkeys(formulas), key=order.of_formula)
     branches, found = [_Branch([(formula, True) for formula in first])], []
+    looked_at = 0
     for _ in range(MAX_BRANCHES):
-        if not branches:
+        if not branches or looked_at > MAX_LOOKED_AT:
             break
         branch = branches.pop()
         if branch.is_contradictory():
             continue
+        looked_at += len(branch.open)
         alternatives = branch.alternatives()
         if alternatives is None:
             found.append(frozenset(branch.claims))
@@ -226,7 +234,7 @@ class Asked(Record):
     variables: tuple[Variable, ...]
 
 
-def forms(asked: Asked, claims: Sequence[Claim], order: Order) -> Iterator[Form]:
+def forms(asked: Asked, claims: Sequence[Claim], order: Order, points: Points) -> Iterator[Form]:
     """Rows that say that claims have no solution, those that are tried first at the beginning."""
     names = [variable.name for variable in asked.variables]
     if not names and len(claims) < 2:
@@ -234,23 +242,23 @@ def forms(asked: Asked, claims: Sequence[Claim], order: Order) -> Iterator[Form]
         yield None, _row(asked, claim, None)
         return
     if is_large([side for claim in claims for side in (claim.lhs, claim.rhs)]):
-        yield _last_form(asked, claims, order)
+        yield _last_form(asked, claims, order, points)
         return
-    solution = a_point(names, [Given("", claim) for claim in claims], {})
+    solution = points.find(names, [Given("", claim) for claim in claims], {})
     count, tries = 0, max(1, min(MAX_LEFT, MAX_SEARCHED // (len(names) * len(claims) or 1)))
     for left in sorted(claims, key=lambda claim: _rank(claim, order), reverse=True)[:tries]:
         others = [given for claim in claims if claim is not left for given in _parts(claim)]
-        point = solution or a_point(names, [Given("", claim) for claim in others], {})
+        point = solution or points.find(names, [Given("", claim) for claim in others], {})
         if point is not None:
             yield _form(asked, others, denied([left]), point)
             count += 1
         if count > OTHERS:
             return
     if not count:
-        yield _last_form(asked, claims, order)
+        yield _last_form(asked, claims, order, points)
 
 
-def _last_form(asked: Asked, claims: Sequence[Claim], order: Order) -> Form:
+def _last_form(asked: Asked, claims: Sequence[Claim], order: Order, points: Points) -> Form:
     """A form with bounds as givens, or with none that could fail, and all else denied together.
 
     If some of what is denied is strict and some is not, a variable of its own is below the gaps of
@@ -258,7 +266,7 @@ def _last_form(asked: Asked, claims: Sequence[Claim], order: Order) -> Form:
     """
     names = [variable.name for variable in asked.variables]
     givens = [claim for claim in claims if _rank(claim, order)[0] == 0]
-    point = a_point(names, [Given("", claim) for claim in givens], {})
+    point = points.find(names, [Given("", claim) for claim in givens], {})
     if point is None or len(givens) == len(claims):
         givens, point = [], {name: as_term(1) for name in names}
     left = [claim for claim in claims if claim not in givens]

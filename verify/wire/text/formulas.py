@@ -25,6 +25,8 @@ from verify.wire.text.lisp import Source, Tree, Word
 MAX_CASES = 64
 #: So many trees are read at most, those of a function each time that it is called.
 MAX_READ = 100_000
+#: What is ``distinct`` has at most half as many pairs.
+MAX_PAIRS = 50_000
 
 _NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?|[+-]?[0-9]+/[0-9]+")
 
@@ -306,6 +308,8 @@ class Reader:
     def __init__(self, source: Source, dialect: Dialect) -> None:
         self.source, self.dialect = source, dialect
         self.globals = Scope()
+        #: Operations and numbers of the language that were meant by their names so far.
+        self.meant: set[str] = set()
         self._left = MAX_READ
         self._called: dict[tuple[Function, tuple[Value, ...]], Value] = {}
 
@@ -363,6 +367,7 @@ class Reader:
                 head, f"{shown(head)} stands alone; write what it is applied to"
             )
         if head in self.dialect.operations:
+            self.meant.add(head)
             return self._applied(head, [self.real(part, scope) for part in parts])
         if head in self.dialect.words:
             found = self._formula(head, parts, scope)
@@ -382,6 +387,7 @@ class Reader:
             where = f"{self.source.path}, line {word.line}"
             return real(as_term(rational(where, text.lstrip("+"))))
         if word in self.dialect.numbers:
+            self.meant.add(word)
             return real(self.dialect.numbers[word])
         if word in self.dialect.truths:
             return (FALSE, TRUE)[self.dialect.truths.index(word)]
@@ -436,7 +442,7 @@ class Reader:
         """The value of a function at these arguments.
 
         In its body are known its parameters, and what stands around its definition: names of a
-        file that are declared never change.
+        file that are declared never change, and those that are ``meant`` are not declared later.
         """
         key = (function, values)
         if key not in self._called:
@@ -524,6 +530,10 @@ class Reader:
         """What a chain such as ``(< a b c)`` says, of numbers; of formulas that they are equal."""
         if len(parts) < 2:
             raise self.source.error(head, f"{head} needs at least two terms")
+        if head == self.dialect.unequal and len(parts) ** 2 > MAX_PAIRS:
+            raise self.source.error(
+                head, f"{head} of {len(parts)} terms has too many pairs; write parts of it"
+            )
         first, is_same = self.value(parts[0], scope), self.dialect.relations.get(head) == "="
         pairs = combinations if head == self.dialect.unequal else lambda items, _: pairwise(items)
         if isinstance(first, Formula) and (is_same or head == self.dialect.unequal):

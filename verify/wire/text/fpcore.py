@@ -13,16 +13,19 @@ from math import floor, isfinite, log10
 from os.path import basename
 
 from verify.language.statement import NEEDED, Context, Given, Obligation, Statement, Variable
-from verify.language.terms import Claim, Term, as_term, names_of, symbol
+from verify.language.terms import Claim, Term, as_term, names_of, parts_of, symbol
 from verify.wire.inputs import InputError, shown
 from verify.wire.text.conjunctions import Order, TooManyCasesError, cases, is_large, named
 from verify.wire.text.formulas import FPCORE, Reader, Scope, real
 from verify.wire.text.lisp import FPCORE as WORDS
 from verify.wire.text.lisp import Names, Source, Tree, Word
-from verify.wire.text.points import a_point, estimate
+from verify.wire.text.points import Points, estimate
 
 #: How many points are sampled, and to how many digits the spare hundredth is told.
 SAMPLES, DIGITS = 2000, 1
+#: So many expressions are in a file; at the samples of all of them, as many parts are looked at,
+#: but of each one at least a few.
+MAX_CORES, MAX_PARTS, FEW = 256, 4_000_000, 20
 
 
 def read_fpcore(path: str, content: bytes) -> Statement:
@@ -33,8 +36,13 @@ def read_fpcore(path: str, content: bytes) -> Statement:
     """
     source = Source(path, content, WORDS)
     with source.shallow():
-        parts = [_Core(source, tree, number) for number, tree in enumerate(source.trees(), 1)]
-        rows = [row for part in parts for row in part.rows()]
+        points, trees = Points(), source.trees()
+        if len(trees) > MAX_CORES:
+            raise source.error(
+                trees[MAX_CORES], f"there are more than {MAX_CORES} expressions; split the file"
+            )
+        parts = [_Core(source, tree, number, points) for number, tree in enumerate(trees, 1)]
+        rows = [row for part in parts for row in part.rows(MAX_PARTS // len(parts))]
     if not parts:
         raise InputError(f"{path}: has no expression; write (FPCore (x) :pre (<= 0 x 1) (* x x))")
     name = basename(path)
@@ -52,7 +60,7 @@ def read_fpcore(path: str, content: bytes) -> Statement:
 class _Core:
     """One expression with its inputs, and with what is given of them."""
 
-    def __init__(self, source: Source, tree: Tree, number: int) -> None:
+    def __init__(self, source: Source, tree: Tree, number: int, points: Points) -> None:
         self.source, self.tree = source, tree
         self.label = f"core-{number}"
         match tree:
@@ -74,7 +82,7 @@ class _Core:
         (self.term,), self.constants = named(f"{self.label}.part-", [self._body()])
         self.givens = [Given(f"{self.label}.{i}", c) for i, c in enumerate(self.claims, 1)]
         self.variables = [term.name for term in self.names.values()]
-        self.point = self._point()
+        self.point = self._point(points)
 
     def _table(self, properties: list[Tree]) -> dict[str, Tree]:
         """The properties, of which each stands there once."""
@@ -120,8 +128,8 @@ class _Core:
             raise self.source.error(self.body, "if cannot be used here; write a core for each case")
         return found[0][1]
 
-    def _point(self) -> dict[str, Term]:
-        found = a_point(self.variables, self.givens, {})
+    def _point(self, points: Points) -> dict[str, Term]:
+        found = points.find(self.variables, self.givens, {})
         if found is None:
             raise self.source.error(self.tree, "no point of its precondition was found")
         return found
@@ -142,9 +150,12 @@ class _Core:
             self.constants,
         )
 
-    def rows(self) -> Iterator[Obligation]:
-        """That the expression is between two bounds."""
-        found = [value for value in map(self._value, self._samples()) if isfinite(value)]
+    def rows(self, parts: int) -> Iterator[Obligation]:
+        """That the expression is between two bounds; so many parts are looked at."""
+        sides = [side for claim in self.claims for side in (claim.lhs, claim.rhs)]
+        size = sum(1 for _ in parts_of(self.term, *(c.term for c in self.constants), *sides))
+        count = min(SAMPLES, max(FEW, parts // size))
+        found = [value for value in map(self._value, self._samples(count)) if isfinite(value)]
         if not found:
             raise self.source.error(self.tree, "the expression has no value at any sampled point")
         low, high = Fraction(min(found)), Fraction(max(found))
@@ -161,11 +172,11 @@ class _Core:
             values[constant.name] = estimate(constant.term, values)
         return estimate(self.term, values)
 
-    def _samples(self) -> Iterator[dict[str, float]]:
+    def _samples(self, count: int) -> Iterator[dict[str, float]]:
         """Points of the precondition, corners of its box among them; the same in each run."""
         box = [self._range(name) for name in self.variables]
         state = 1
-        for _ in range(SAMPLES):
+        for _ in range(count):
             at = {}
             for name, (low, high) in zip(self.variables, box, strict=True):
                 state = state * 6364136223846793005 % 2**64

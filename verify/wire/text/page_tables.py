@@ -36,7 +36,7 @@ from verify.wire.text.infix import (
 )
 from verify.wire.text.letters import letter_of, name_of, tex_of
 from verify.wire.text.places import Places
-from verify.wire.text.points import a_point, contradiction, estimate
+from verify.wire.text.points import Points, contradiction, estimate
 from verify.wire.text.roots import isolated
 from verify.wire.text.scope import Scope
 from verify.wire.text.vectors import gram_of, products_of
@@ -84,6 +84,7 @@ class Reader:
         self.granted_by: str | None = None
         self.contexts_cited: dict[str, tuple[tuple[Variable, ...], str | None]] = {}
         self.functions: dict[str, tuple[str, ...]] = {}  # by their names, where they stand
+        self.points = Points()
         self.floats: dict[str, float] = {}  # about what names stand for, to guess points
 
     # --- what stands under a key ----------------------------------------------------------------
@@ -323,7 +324,7 @@ class Reader:
         if at is None:
             new = [variable.name for variable in names.values()]
             around = [other for other, home in self.scope.homes.items() if home is not None]
-            at = a_point(new, givens, self.floats, {*around} - {*new})
+            at = self.points.find(new, givens, self.floats, {*around} - {*new})
             if at is None:
                 sides = ", ".join(f"{written} = ..." for written in names)
                 wrong = contradiction(new, givens)

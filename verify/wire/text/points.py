@@ -12,7 +12,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import isqrt
 
-from verify.language.fold import RATIONAL, MissingOperationError, fold
+from verify.language.fold import BOUNDED, MissingOperationError, fold
 from verify.language.statement import Given
 from verify.language.terms import (
     Claim,
@@ -24,11 +24,14 @@ from verify.language.terms import (
     substitute,
     symbol,
 )
+from verify.prover.budget import WorkBudget
 
 #: How many candidates are looked at one variable after another.
 MOST = 2_000
-#: Parts of givens that are looked at in all: about so many fifths of a microsecond.
-WORK = 10_000_000
+#: Parts of givens that are looked at, for one context and for all of a file.
+WORK, WORK_OF_FILE = 10_000_000, 15_000_000
+#: So many of them take a microsecond; and so many microseconds a linear programme may take.
+UNITS, PROGRAMME = 5, 300_000
 #: Fractions with larger denominators come near solutions of equations by accident.
 SIMPLE = 100
 #: The exponential of this is beyond all floats.
@@ -67,19 +70,36 @@ def estimate(term: Term, values: Mapping[str, float]) -> float:
         return math.nan
 
 
-def a_point(
-    variables: Sequence[str],
-    givens: Sequence[Given],
-    values: Mapping[str, float],
-    around: Collection[str] = (),
-) -> dict[str, Term] | None:
-    """Terms for the variables at which the givens seem to hold; None if none were found.
+class Points:
+    """The search for the points of one file, which looks at so much in all."""
 
-    ``values`` has about what the other names stand for, those that vary ``around`` at one point.
-    """
-    claims = [given.claim for given in givens]
-    found = _one_by_one(variables, claims, values, around)
-    return _in_the_middle(variables, claims, values) if found is None else found
+    def __init__(self) -> None:
+        self.left = WORK_OF_FILE
+
+    def find(
+        self,
+        variables: Sequence[str],
+        givens: Sequence[Given],
+        values: Mapping[str, float],
+        around: Collection[str] = (),
+    ) -> dict[str, Term] | None:
+        """Terms for the variables at which the givens seem to hold; None if none were found.
+
+        ``values`` has about what the other names stand for, those that vary ``around`` at one
+        point.
+        """
+        if self.left <= 0:
+            return None
+        claims = [given.claim for given in givens]
+        left = [min(WORK, self.left)]
+        self.left -= left[0]
+        found = _one_by_one(variables, claims, values, around, left)
+        self.left += max(left[0], 0)
+        if found is None:
+            budget = WorkBudget(min(PROGRAMME, self.left // UNITS))
+            found = _in_the_middle(variables, claims, values, budget)
+            self.left -= UNITS * (budget.work - budget.left)
+        return found
 
 
 def contradiction(variables: Sequence[str], givens: Sequence[Given]) -> str:
@@ -91,7 +111,10 @@ def contradiction(variables: Sequence[str], givens: Sequence[Given]) -> str:
 
 
 def _in_the_middle(
-    variables: Sequence[str], claims: Sequence[Claim], values: Mapping[str, float]
+    variables: Sequence[str],
+    claims: Sequence[Claim],
+    values: Mapping[str, float],
+    budget: WorkBudget,
 ) -> dict[str, Term] | None:
     """Numbers for the variables, by a linear programme and near the places that violate least."""
     from verify.prover.search.interior import interior  # only where it is needed
@@ -101,7 +124,7 @@ def _in_the_middle(
         at = dict(values) | dict(zip(variables, map(float, point), strict=True))
         return all(_seems(claim, at) and _may_hold(claim, exact) for claim in claims)
 
-    found = interior(variables, claims, values, holds)
+    found = interior(variables, claims, values, holds, budget)
     return None if found is None else dict(zip(variables, map(as_term, found), strict=True))
 
 
@@ -110,8 +133,9 @@ def _one_by_one(
     claims: Sequence[Claim],
     values: Mapping[str, float],
     around: Collection[str],
+    left: list[int],
 ) -> dict[str, Term] | None:
-    """Terms for the variables, each chosen after those before it."""
+    """Terms for the variables, each chosen after those before it, while there is work ``left``."""
     tried = iter(range(MOST))
 
     def complete(found: dict[str, Term], at: dict[str, float]) -> dict[str, Term] | None:
@@ -137,7 +161,6 @@ def _one_by_one(
         found = (places.get(name, 0) for name in names_of(claim.lhs, claim.rhs))
         complete_at[max(found, default=0)].append(claim)
     parts = {claim: sum(1 for _ in parts_of(claim.lhs, claim.rhs)) for claim in claims}
-    left = [WORK]
     try:
         return complete({}, dict(values))
     except RecursionError:
@@ -160,7 +183,7 @@ def _may_hold(claim: Claim, at: Mapping[Term, Fraction]) -> bool:
     if claim.relation != "=":
         return True
     try:
-        left, right = (fold(side, RATIONAL, dict(at)) for side in (claim.lhs, claim.rhs))
+        left, right = (fold(side, BOUNDED, dict(at)) for side in (claim.lhs, claim.rhs))
     except (ArithmeticError, MissingOperationError):
         return all(x.denominator <= SIMPLE for x in at.values())
     return bool(left == right)
@@ -198,7 +221,7 @@ def _solutions(name: str, claim: Claim, found: Mapping[str, Term]) -> Iterator[T
     gap = substitute(claim.lhs - claim.rhs, found)
 
     def at(value: int) -> Fraction:
-        return fold(gap, RATIONAL, {symbol(name): Fraction(value)})
+        return fold(gap, BOUNDED, {symbol(name): Fraction(value)})
 
     try:
         zero, one, two, three = map(at, range(4))

@@ -39,9 +39,12 @@ from verify.wire.text.formulas import (
 )
 from verify.wire.text.lisp import SMTLIB as WORDS
 from verify.wire.text.lisp import Names, Source, Tree, Word
+from verify.wire.text.points import Points
 
 #: A file has at most so many rows, and scopes inside of one another.
 MAX_ROWS, MAX_LEVELS = 256, 1000
+#: So many assertions its questions have together, each with those of the scopes around it.
+MAX_ASSERTED = 20_000
 #: Commands that change no answer.
 SILENT = (
     *("set-info", "get-info", "get-option", "get-model", "get-value", "get-assignment"),
@@ -74,7 +77,8 @@ def read_smtlib(path: str, content: bytes) -> Page:
     file = _File(Source(path, content, WORDS))
     with file.source.shallow():
         file.read()
-        parts = {asked.row: forms(asked, claims, file.order) for asked, claims in file.rows()}
+        points, asked = Points(), file.rows()
+        parts = {one.row: forms(one, claims, file.order, points) for one, claims in asked}
         first = [next(found) for found in parts.values()]
     name = basename(path)
     title = f"no real numbers satisfy the assertions of {name}"
@@ -150,6 +154,9 @@ class _File:
             raise self.source.error(name, f"{shown(name)} cannot be a name; choose another one")
         if name in self.reader.globals.own:
             raise self.source.error(name, f"{shown(name)} is declared twice; choose another name")
+        if name in self.reader.meant:
+            what = f"{shown(name)} stands for a function or number above; choose another name"
+            raise self.source.error(name, what)
         self.reader.globals.own[name] = value
         self.levels[-1].names.append(name)
 
@@ -236,6 +243,9 @@ class _File:
         self.questions.append(_Question(line, asserted))
         if len(self.questions) > MAX_ROWS:
             raise self.source.error(line, f"it asks more than {MAX_ROWS} questions; split the file")
+        if sum(len(question.asserted) for question in self.questions) > MAX_ASSERTED:
+            what = f"the questions have more than {MAX_ASSERTED} assertions together"
+            raise self.source.error(line, f"{what}; split the file")
 
     def _push(self, tree: Tree) -> None:
         count = self._count(tree)

@@ -20,6 +20,7 @@ WORDS = (
     "elsewhere",
     "separatrix --all",
     "theorem1 --all",
+    "spectrum",
     "scene certificates/scenes/in-space.toml",
 )
 

@@ -22,6 +22,7 @@ WORDS = (
     "elsewhere",
     "separatrix --all",
     "theorem1 --all",
+    "spectrum",
     "scene certificates/scenes/in-space.toml",
 )
 

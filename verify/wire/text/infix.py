@@ -140,7 +140,7 @@ def _claim(relation: str, left: Term, right: Term) -> Claim:
     )
 
 
-class Function(Record):
+class PageFunction(Record):
     """A function that a page defines: its formula is read anew wherever it is used.
 
     It knows the names that are known where it is defined.
@@ -172,7 +172,7 @@ class Names:
         short: Mapping[str, Value] = MappingProxyType({}),
         vectors: Mapping[str, str | None] = MappingProxyType({}),
         gram: Gram = MappingProxyType({}),
-        functions: Mapping[str, Function] = MappingProxyType({}),
+        functions: Mapping[str, PageFunction] = MappingProxyType({}),
         spent: Spent | None = None,
     ) -> None:
         self.known, self.hidden, self.short = known, hidden, short

@@ -27,8 +27,8 @@ from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.text import Page
 from verify.wire.text.infix import (
     CALLED,
-    Function,
     Names,
+    PageFunction,
     read_claims,
     read_entries,
     read_givens,
@@ -386,7 +386,7 @@ class Reader:
             if match:
                 names = tuple(name.strip() for name in match[2].split(","))
                 self._new_function(place, match[1], names, home)
-                function = Function(where, names, body, inside)
+                function = PageFunction(where, names, body, inside)
                 self.scope.define(match[1], function, home)
             else:
                 self.scope.abbreviate(short, read_entries(where, body, inside), home)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from verify.wire.text.infix import Function, Names
+from verify.wire.text.infix import Names, PageFunction
 from verify.wire.text.matrices import Spent, Value
 from verify.wire.text.vectors import Gram
 
@@ -17,7 +17,7 @@ class Scope:
         self.parents: dict[str, str | None] = {}
         self.written: dict[str | None, dict[str, str]] = {None: {}}
         self.short: dict[str | None, dict[str, Value]] = {None: {}}
-        self.functions: dict[str | None, dict[str, Function]] = {None: {}}
+        self.functions: dict[str | None, dict[str, PageFunction]] = {None: {}}
         self.vectors: dict[str | None, dict[str, str | None]] = {}
         self.grams: dict[str | None, Gram] = {}
         self.spent = Spent()
@@ -34,7 +34,7 @@ class Scope:
         self._inside.clear()
         self.short[home][written] = value
 
-    def define(self, written: str, function: Function, home: str | None) -> None:
+    def define(self, written: str, function: PageFunction, home: str | None) -> None:
         """A function in a context, and inside of it."""
         self._inside.clear()
         self.functions[home][written] = function
@@ -61,7 +61,7 @@ class Scope:
     def _known_inside(self, context: str | None) -> Names:
         known: dict[str, str] = {}
         short: dict[str, Value] = {}
-        functions: dict[str, Function] = {}
+        functions: dict[str, PageFunction] = {}
         for place in self.chain(context):
             short = {n: t for n, t in self.short[place].items() if n not in known} | short
             known = {n: w for n, w in self.written[place].items() if n not in short} | known

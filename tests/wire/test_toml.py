@@ -12,6 +12,8 @@ from typing import Any
 import pytest
 
 from verify.cli import main
+from verify.wire.inputs import InputError
+from verify.wire.text.read_page import read_page
 from verify.wire.toml import MAX_PARTS, MAX_WORD, TooLongError, toml_of
 
 #: Each with what its message names.
@@ -140,3 +142,91 @@ def test_a_byte_order_mark_is_skipped(
         found.append((main([command, str(path)]), *capsys.readouterr()))
     assert found[0] == found[1]
     assert found[0][0] == (3 if name == "statement.json" else 0)
+
+
+CHAPTERS = """title = "t"
+[constants]
+k = "1"
+[contexts.c]
+variables = ["x"]
+point = { x = "1" }
+given = { g = "0 < x" }
+[contexts.ro]
+variables = ["rho"]
+root = "rho^2 - 2"
+between = [1, 2]
+[contexts.d]
+in = "c"
+variables = ["y"]
+given = ["0 < y"]
+[[chapters]]
+[chapters.rows]
+n = { lemma = "k < 2", rule = "interval" }
+m = { claim = "k < 3", rule = "entry", of = "n", side = "lhs" }
+[[chapters]]
+in = "c"
+[chapters.rows]
+i = { instance = "g", at = { x = "2" }, by = "g" }
+s = { claim = "g at point", by = "g" }
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('in = "c"\nvar', 'in = ["c"]\nvar'),
+        ('in = "c"\n[ch', "in = []\n[ch"),
+        ('variables = ["x"]\npoint = { x = "1" }', "point = 3"),
+        ('variables = ["x"]\npoint = { x = "1" }', 'point = "x = 1"'),
+        ("between = [1, 2]", f"between = [1, 1{'0' * 400}]"),
+        ("between = [1, 2]", 'between = [1, 2]\nstates = { s = { rho = "1" } }'),
+        ("between = [1, 2]", 'between = [1, 2]\nby = "g"'),
+        ('instance = "g"', 'instance = "n"'),
+        ('instance = "g", at = { x = "2" }', 'instance = "n", at = "point"'),
+        ('of = "n"', 'of = ["n"]'),
+        ('of = "n"', 'of = "nn"'),
+        ('side = "lhs"', 'side = "left"'),
+        ('claim = "g at point"', 'claim = "ro.1 at point"'),
+        ('claim = "g at point"', 'claim = "g at nowhere"'),
+        ('rule = "interval"', 'false_at = "point"'),
+    ],
+)
+def test_what_has_another_type_or_no_such_place_is_refused(old: str, new: str) -> None:
+    assert old in CHAPTERS
+    assert read_page("a.toml", CHAPTERS.encode()).chapters
+    with pytest.raises(InputError, match=r"^a\.toml"):
+        read_page("a.toml", CHAPTERS.replace(old, new).encode())
+
+
+SHADOWS = """title = "t"
+[let]
+a = "3"
+[constants]
+b = "5"
+[contexts.c]
+variables = ["x"]
+given = ["0 <= x <= 1"]
+let = { s = "x + 1" }
+[contexts.c.constants]
+z = "x"
+[rows]
+row = "x <= 1"
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('a = "3"', 'b = "3"'),
+        ('s = "x + 1"', 'x = "x + 1"'),
+        ('s = "x + 1"', 'z = "x + 1"'),
+        ('row = "x <= 1"', 'row = "x <= 1"\n[[chapters]]\nlet = { b = "1" }'),
+        ('row = "x <= 1"', 'row = "x <= 1"\n[[chapters]]\nin = "c"\nlet = { s = "1" }'),
+        ('row = "x <= 1"', 'row = "a <= 1"\n[contexts.d]\nvariables = ["a"]\ngiven = ["a < 1"]'),
+    ],
+)
+def test_a_name_has_one_meaning_in_one_place(old: str, new: str) -> None:
+    """A name of a let was read in its place, and printed as the constant or variable."""
+    assert read_page("a.toml", SHADOWS.encode()).statement
+    with pytest.raises(InputError, match=r"^a\.toml, line"):
+        read_page("a.toml", SHADOWS.replace(old, new).encode())

@@ -279,12 +279,18 @@ class Reader:
             self.floats[name] = estimate(term, self.floats)
         return found
 
+    @staticmethod
+    def _is_taken(name: str) -> str:
+        return f"{shown(name)} stands for something else here already; choose another name"
+
     def _full(self, name: str, home: str | None) -> str:
         """A name; if it begins with a point, with the name of its context before it."""
         return f"{home}{name}" if home and name.startswith(".") else name
 
     def _new(self, keys: Sequence[str], written: str, home: str | None) -> str:
         """The name in the statement; one that another context has gets its context before it."""
+        if written in self.scope.short[home]:
+            raise self.places.error(keys, self._is_taken(written))
         elsewhere = any(
             written in names
             for place, names in self.scope.written.items()
@@ -306,10 +312,7 @@ class Reader:
         keys = ["contexts", name]
         table = self.table(keys, value, CONTEXT)
         self.name(keys, name)
-        parent = table.get("in")
-        if parent is not None and parent not in self.contexts:
-            where = [*keys, "in"]
-            raise self.places.error(where, self.no_context(parent, "an earlier one"))
+        parent = self.around(keys, table, "an earlier one")
         self.scope.open(name, parent)
         names = self._variables(keys, table, name)
         self.let([*keys, "let"], table.get("let", {}), name)
@@ -388,6 +391,8 @@ class Reader:
                 self._new_function(place, match[1], names, home)
                 function = PageFunction(where, names, body, inside)
                 self.scope.define(match[1], function, home)
+            elif short in self.scope.written[home] or short in self.scope.short[home]:
+                raise self.places.error(place, self._is_taken(short))
             else:
                 self.scope.abbreviate(short, read_entries(where, body, inside), home)
 
@@ -411,7 +416,7 @@ class Reader:
         self, keys: Sequence[str], name: str, table: Mapping[str, Any], names: dict[str, Variable]
     ) -> None:
         """A context whose variable stands for a root, with rows that show that there is one."""
-        for key in ("in", "given", "carried", "standing", "point", "constants"):
+        for key in _NOT_AT_A_ROOT:
             if key in table:
                 raise self.places.error(
                     [*keys, key], "a context with a root has none; leave it out"
@@ -444,6 +449,18 @@ class Reader:
             self.rows[self.name(keys, row.name)] = row
         self.floats[variable.name] = estimate(found.context.point[variable.name], {})
 
+    def around(
+        self, keys: Sequence[str], table: Mapping[str, Any], wanted: str = "one of the page"
+    ) -> str | None:
+        """The context that a table says it is in; None if it says nothing."""
+        if "in" not in table:
+            return None
+        place = [*keys, "in"]
+        name = self.text(place, table["in"], "the name of a context")
+        if name not in self.contexts:
+            raise self.places.error(place, self.no_context(name, wanted))
+        return name
+
     def no_context(self, name: object, wanted: str = "one of the page") -> str:
         """What is wrong with the name of a context that there is not, and what to write."""
         known = ", ".join(self.contexts) or "none"
@@ -454,7 +471,8 @@ class Reader:
         self, keys: Sequence[str], table: Mapping[str, Any], home: str
     ) -> dict[str, Variable]:
         """The variables by the names that the page writes."""
-        entry = table.get("variables", [*table.get("point", ())])
+        point = table.get("point")
+        entry = table.get("variables", [*point] if isinstance(point, dict) else [])
         place = [*keys, "variables"]
         if isinstance(entry, str):
             parts = entry.split(",") if ":" in entry else entry.replace(",", " ").split()
@@ -494,7 +512,10 @@ class Reader:
 
     def _givens(self, keys: Sequence[str], table: Mapping[str, Any], home: str) -> Iterator[Given]:
         count = 0
-        self.granted_by = table.get("granted_by")
+        granted_by = table.get("granted_by")
+        if granted_by is not None:
+            granted_by = self.text([*keys, "granted_by"], granted_by, "the name of an assumption")
+        self.granted_by = granted_by
         for key, kind in (("given", "plain"), ("carried", "carried"), ("standing", "standing")):
             entry = table.get(key, [])
             place = [*keys, key]
@@ -520,7 +541,7 @@ class Reader:
         self.table(keys, entry, GIVEN)
         where = [*keys, "claim"] if isinstance(item, dict) else keys
         claims = self.givens(where, entry.get("claim", ""), home)
-        kind = self._one_of([*keys, "kind"], entry.get("kind", kind), _KINDS)
+        kind = self.one_of([*keys, "kind"], entry.get("kind", kind), _KINDS)
         assumption = entry.get("assumption", self.granted_by if kind == "standing" else None)
         if assumption is not None:
             assumption = self.text([*keys, "assumption"], assumption, "a name")
@@ -540,7 +561,8 @@ class Reader:
             raise self.places.error(keys, "only a standing given has an assumption; leave it out")
         return given
 
-    def _one_of(self, keys: Sequence[str], value: object, known: Sequence[str]) -> str:
+    def one_of(self, keys: Sequence[str], value: object, known: Sequence[str]) -> str:
+        """The value, which is one of those that are known."""
         if value not in known:
             raise self.places.error(keys, f"{_told(value)} is unknown; write {', '.join(known)}")
         return str(value)
@@ -566,9 +588,7 @@ class Reader:
         if len(kinds) != 1:
             what = "has no claim" if not kinds else f"has {' and '.join(kinds)}"
             raise self.places.error(keys, f'it {what}; write one claim = "..."')
-        home = table.get("in")
-        if home is not None and home not in self.contexts:
-            raise self.places.error([*keys, "in"], self.no_context(home))
+        home = self.around(keys, table)
         where = [*keys, "claim"] if isinstance(value, dict) else keys
         claims: Sequence[Claim | Applies | Always]
         if kinds == ["claim"]:
@@ -671,7 +691,7 @@ class Reader:
         severity = table.get("severity")
         if severity is not None:
             self.text([*keys, "severity"], severity, "a text")
-        role = self._one_of([*keys, "role"], table.get("role", NEEDED), (NEEDED, PRINTED))
+        role = self.one_of([*keys, "role"], table.get("role", NEEDED), (NEEDED, PRINTED))
         found = {
             key: self.text([*keys, key], table.get(key, default), "a text")
             for key, default in (("group", self.group), ("label", ""), ("says", ""))
@@ -696,6 +716,11 @@ class Reader:
 
 
 _KINDS = ("plain", "carried", "standing")
+#: What a context with a root has not.
+_NOT_AT_A_ROOT = (
+    *("in", "given", "carried", "standing", "granted_by", "point", "constants", "states", "by"),
+    *("gram", "products", "vectors"),
+)
 
 
 def _numbered(name: str, count: int) -> list[str]:

@@ -101,10 +101,7 @@ class Lines:
 
     def _home(self, entry: object) -> str | None:
         """The context of a chapter."""
-        home: str | None = self.page.table(["chapters"], entry, CHAPTER).get("in")
-        if home is not None and home not in self.page.contexts:
-            raise self.places.error(["chapters", "in"], self.page.no_context(home))
-        return home
+        return self.page.around(["chapters"], self.page.table(["chapters"], entry, CHAPTER))
 
     def _left(self, home: str | None) -> Iterator[Defined]:
         """The constants of a context that none of its lines uses."""
@@ -223,7 +220,9 @@ class Lines:
 
     def _state(self, keys: Keys, context: str, state: str) -> Mapping[str, Term]:
         """The values of a state of a context."""
-        states = self.page.states[context]
+        states = self.page.states.get(context, {})
+        if not states:
+            raise self.places.error(keys, f"{shown(context or 'a number')} has no states")
         if state not in states:
             instead = nearest(state, states, f"{context} has the states {', '.join(states)}")
             raise self.places.error(keys, f"{shown(state)} is no state; {instead}")
@@ -241,6 +240,8 @@ class Lines:
         """The values of the variables of a context, or those of the state that is named."""
         if isinstance(value, str) and "=" not in value:
             return self._state(keys, name, value)
+        if name not in self.page.contexts:
+            raise self.places.error(keys, "numbers have no other values; leave it out")
         context, names = self.page.contexts[name], self.page.scope.inside(home)
         known = self.page.scope.inside(context.name).known
         found = self.page.values(keys, value, names)
@@ -291,8 +292,8 @@ class Lines:
         if by is None and "using" not in table and "plus" not in table:
             return ToBeFound()
         if isinstance(by, list):
-            side = self.page.text([*keys, "side"], table.get("side", "rhs"), "lhs or rhs")
-            return ByLeast(self._branches(keys, by, home), table.get("of"), side)
+            sides = self._entries(keys, table, "rhs")
+            return ByLeast(self._branches(keys, by, home), *sides)
         return self._sum(keys, table, home)
 
     def _rule(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> Reason:
@@ -302,11 +303,19 @@ class Lines:
         if rule == "interval":
             return ByInterval()
         if rule == "entry":
-            return ByEntry(table.get("of"), table.get("side", "lhs"))
+            return ByEntry(*self._entries(keys, table, "lhs"))
         if rule == "cases":
             return self._cases(keys, table, home)
         instead = nearest(rule, RULES, f"write {', '.join(RULES)}")
         raise self.places.error([*keys, "rule"], f"{shown(rule)} is no rule here; {instead}")
+
+    def _entries(self, keys: Keys, table: Mapping[str, Any], side: str) -> tuple[str | None, str]:
+        """The equation that says what a minimum is, if it is named, and the side with it."""
+        of = table.get("of")
+        if of is not None:
+            of = self.page.text([*keys, "of"], of, "the name of an equation")
+            self._fact([*keys, "of"], of)
+        return of, self.page.one_of([*keys, "side"], table.get("side", side), ("lhs", "rhs"))
 
     def _cases(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> ByCases:
         """A sum for each entry of a minimum or maximum; ``@1``, ... name what holds there."""

@@ -22,6 +22,8 @@ from verify.wire.text.points import estimate
 #: The ends between which a root is named have so many decimals.
 DIGITS = 12
 STEPS = 60
+#: The numbers beside a root are floats.
+LARGEST = 10**300
 
 
 class Isolated(Record):
@@ -112,6 +114,8 @@ def _narrow(
     """
 
     def value(at: Fraction) -> float:
+        if abs(at) > LARGEST:
+            raise InputError(f"{shown(name)}: the numbers beside it are too large; write others")
         return estimate(term, {**known, x: float(at)})
 
     low, high = between

@@ -103,9 +103,13 @@ class Scope:
                 if other != name:
                     both = f"{self.homes[other]} and of {home}"
                     twice[written] = f"is a name of the context {both}; say in which by in = "
+        for written in self.short[None].keys() & known.keys():
+            home = self.homes[known[written]]
+            twice[written] = f"stands for a term, and is a name of the context {home}; write in = "
         known = {name: name for name in self.homes} | known
         one = {key: name for key, name in known.items() if key not in twice}
-        return Names(one, twice, self.short[None], functions=self.functions[None], spent=self.spent)
+        short = {key: term for key, term in self.short[None].items() if key not in twice}
+        return Names(one, twice, short, functions=self.functions[None], spent=self.spent)
 
     def home(self, names: Sequence[str]) -> str | None:
         """The innermost context of names.

@@ -402,9 +402,7 @@ said(
 said(
     P,
     "below κ η_c²",
-    by=coded(
-        "κη_c²", "verify/paper/sharper/state.py", '"start-d-small": start.d <= k * start.y**2'
-    ),
+    by=coded("κη_c²", "verify/paper/sharper.toml", 'start-d-small = "d_start <= k*y_start^2"'),
 )
 said(
     P,
@@ -487,7 +485,7 @@ said(
     "R² is at most its value R₀² now, so that e² ≥ L²/R₀²; hence R² ≥ R₀² + 2tA + t²L²/R₀² after a",
     by="R²≥"
     + true("R₀² + 2tA + t²L²/R₀² ≥ R₀² - A²R₀²/L² > B", turned)
-    + coded("e²≥L²/R₀²", "verify/paper/classification/scenes.py", "(iv) e² ≥ L²/ρ² while R² ≤ ρ²"),
+    + coded("e²≥L²/R₀²", "verify/paper/classification.toml", "(iv) e² ≥ L²/ρ² while R² ≤ ρ²"),
 )
 said(
     P,
@@ -654,7 +652,7 @@ said(
 said(
     "docs/explanation/sharper.md",
     "p + Y < 1 |",
-    by=coded("p+Y<1", "verify/paper/sharper/state.py", '"decay-positive": 0 < 1 - ratio'),
+    by=coded("p+Y<1", "verify/paper/sharper.toml", 'decay-positive = "0 < 1 - ratio"'),
 )
 said("docs/howto/cite.md", "> [2],", by="> [2]")
 said("docs/index.md", "at r = {},", R)

@@ -9,11 +9,12 @@ import json
 import re
 from pathlib import Path
 
+from verify.paper.sharper.sharper import ASSUMPTIONS as SHARPER_ASSUMPTIONS
+
 from tests.coq import sentences
 from tests.coq.everything import SENTENCES, conjunction, discharging
 from verify.paper.assumptions import STEP_ASSUMPTIONS
 from verify.paper.in_coq import IN_COQ
-from verify.paper.sharper.sharper import ASSUMPTIONS as SHARPER_ASSUMPTIONS
 from verify.wire.coq.beside import beside
 from verify.wire.coq.export import export
 

@@ -25,7 +25,7 @@ from verify.wire.text.points import Points, estimate
 SAMPLES, DIGITS = 2000, 1
 #: So many expressions are in a file; at the samples of all of them, as many parts are looked at,
 #: but of each one at least a few.
-MAX_CORES, MAX_PARTS, FEW = 256, 4_000_000, 20
+MAX_CORES, MAX_PARTS, FEW = 256, 1_000_000, 20
 
 
 def read_fpcore(path: str, content: bytes) -> Statement:

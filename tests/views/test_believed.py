@@ -67,7 +67,7 @@ def test_the_first_screen_says_that_coq_refutes_the_printed_sign(
     for words in (["--r", "0.03"], ["--all"]):
         main(["theorem1", *words])
         first = " ".join(capsys.readouterr().out.split()).partition("Its set as printed")[0]
-        assert first.endswith("with < in (4.10): refuted (Coq), certificates/printed-sign ")
+        assert first.endswith(" in (4.10): refuted (Coq), certificates/printed-sign ")
 
 
 def test_the_table_of_the_pages_says_the_same() -> None:

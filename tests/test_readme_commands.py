@@ -192,7 +192,7 @@ def test_the_command_that_is_shown_works(
 
 
 #: The theorems on the page about Coq, in their order, by the folder whose file for Coq has them.
-THEOREMS = ("theorem1-r-3-100", "scenes/parting", "scenes/nearly-aligned")
+THEOREMS = ("theorem1-r-3-100", "scenes/parting", "scenes/nearly-aligned", "scenes/on-a-line")
 
 
 def test_the_theorems_that_are_shown_are_those_of_the_files(

@@ -17,7 +17,12 @@ ROOMS = ("paper", "spheres", "views")
 
 def test_every_label_in_the_code_is_one_of_the_paper() -> None:
     root = Path(verify.__file__).parent
-    texts = (path.read_text() for room in ROOMS for path in (root / room).rglob("*.py"))
+    texts = (
+        path.read_text()
+        for room in ROOMS
+        for path in (root / room).rglob("*")
+        if path.suffix in (".py", ".toml")
+    )
     labels = {label for text in texts for label in LABEL.findall(text)}
     assert len(labels) > 50
     assert labels <= set(printed_numbers())

@@ -27,7 +27,6 @@ def test_a_place_is_where_the_row_is_written() -> None:
     for name in (
         "repaired.init-Cnd4",
         "repaired.set-x_0",
-        "matrix-stated",
         "angle-as-printed",
     ):
         (place,) = (p for p in written(name) if p.part in ("", "spectrum"))

@@ -280,7 +280,6 @@ BOX = "theorem1 --r 0.02..0.03 --neg-cos 1"
         ("step", "theorem1 --r 0.02..0.04 --steps 2"),
         ("step", BOX),
         (ALL, BOX),
-        (ALL, "graph --out OUT/graph.svg"),
         (ALL, f"explain {ALL} collapse"),
         (ALL, "theorem1 --all"),
         ("flow", "explain flow contact"),

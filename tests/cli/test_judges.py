@@ -7,7 +7,7 @@ import gc
 import re
 import shutil
 from collections.abc import Iterator
-from functools import _lru_cache_wrapper
+from functools import _lru_cache_wrapper, cache
 from pathlib import Path
 from typing import Any
 
@@ -235,7 +235,7 @@ def test_the_words_are_found_where_the_judges_work(
 
 
 @pytest.mark.parametrize("more", ["", "--json", "--rows ratio-falls", "-v", "--out OUT"])
-def test_a_false_line_is_our_own_error(
+def test_a_false_line_of_a_page_is_undecided(
     more: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The ratio falls if 2√r <= 1 + r; with another hundred on the left that is false."""
@@ -254,8 +254,12 @@ def test_a_false_line_is_our_own_error(
     statement = honest.statement._replace(obligations=rows)
     lie = honest._replace(statement=statement, chapters=chapters)
     monkeypatch.setattr(pages, "argument", lambda _: lie)
+    monkeypatch.setattr(pages, "became", lambda _name, _text: None)  # its text was changed
+    for known in (pages.decide, pages.accepted, pages.statement):
+        monkeypatch.setattr(pages, known.__name__, cache(known.__wrapped__))
     code, text = said(f"classification {more}", tmp_path, capsys)
-    assert (code, text) == (5, "")
+    assert code == 3
+    assert "Verdict: proved" not in text
 
 
 # --- who makes judgements -------------------------------------------------------------------------

@@ -166,7 +166,11 @@ def test_a_quadratic_form_needs_few_of_the_directions(monkeypatch: pytest.Monkey
     names = [symbol(f"x{i}") for i in range(12)]
     form = sum((a**2 + a * b + b**2 for a, b in pairwise(names)), as_term(0))
     context = for_all("all", [], {f"x{i}": 0 for i in range(12)})
-    found = prove(lemma("title", [ask("row", 0 <= form, context)], (), [context]))
+    asked = lemma("title", [ask("row", 0 <= form, context)], (), [context])
+    for group in ("SUMS", "PRODUCTS"):
+        squares = [one for one in getattr(techniques, group) if "square" in one.name]
+        monkeypatch.setattr(techniques, group, tuple(squares))
+    found = prove(asked)
     assert found.decisions["row"].verdict == PROVED
     assert 0 < len(products) < 3000
 

@@ -38,6 +38,7 @@ from tests.facts import (
     in_thousands,
     limit_map,
     percent,
+    printed_by_checker,
     row,
     said,
     sentences,
@@ -62,6 +63,8 @@ from verify.spheres.scene.sampling import CELLS
 from verify.spheres.scene.scene_files import MAX_DIMENSION
 from verify.views.classification import THEOREMS
 from verify.views.plots.map_colours import STEPS
+from verify.wire.text.formulas import MAX_CASES
+from verify.wire.text.matrices import MAX_DETERMINANT
 from verify.wire.text.roots import DIGITS as ROOT_DIGITS
 
 # --- everywhere -----------------------------------------------------------------------------------
@@ -124,9 +127,13 @@ said(
 SIGN, SET = sentences("printed-sign"), sentences("printed-set")
 said(
     "README.md",
-    "{} sentences for the sign, of which Coq has proved {}, and {} for the set, of which it has "
-    "proved {}.",
-    *(SIGN[0], SIGN[1] or "none", *SET),
+    "{} sentences for the sign, of which Coq has proved {}",
+    *SIGN,
+)
+said(
+    "README.md",
+    "and {} for the set, of which it has proved {}.",
+    *SET,
 )
 
 # --- docs/contributing ----------------------------------------------------------------------------
@@ -237,6 +244,44 @@ said(
         "6d", V, "position low i k < position high i k /\\ velocity low i k < velocity high i k"
     ),
 )
+V = "verify/coq/PinnedPrintedSign.v"
+said(P, "collisions of i n and j n, n = 0, 1, …, one", by=coded("n=0,1,…", V, "N i j B0 a b"))
+said(P, "as printed, π/2 < θ₀ ≤ π", by=coded("π/2<θ₀≤π", V, "PI / 2 < theta_0 <= PI"))
+said(P, "each d ≥ 2 there is a set", by=coded("d≥2", V, "(2 <= d)%nat"))
+said(P, "θ₀ = 2π/3,", by=coded("θ₀=2π/3,", "verify/coq/PrintedSignProof.v", "(2 * (PI / 3))"))
+V = "verify/coq/PinnedSpectrum.v"
+said(
+    P, "of geometric multiplicity 1;", by=coded("1", V, "exists a b, u' = combination a u (- b) v")
+)
+said(P, "the collisions 0-1, 0-2, 1-2 of three", by=coded("0-1,0-2,1-2", V, "0-1, 0-2 and 1-2"))
+said(P, "With the sign 1 the last vector", by=coded("1", V, "coordinates d 1 x v u e f"))
+said(P, "det(λI - 𝔄) = (λ-1) Q(λ)", by=coded("det(λI-𝔄)=(λ-1)Q(λ)", V, "= (l - 1) * Q r l"))
+said(
+    P,
+    "-1 < -r < λ₀ < -r³ < 0",
+    by=coded("-1<-r<λ₀<-r³<0", V, "-1 < - r < l_0 /\\ l_0 < - r ^ 3 < 0"),
+)
+said(
+    P,
+    r"\|λ₀\| < \|λ±\| < 1;",
+    by=coded("|λ₀|<|λ±|<1", V, "l_0 ^ 2 < re ^ 2 + im ^ 2 /\\ re ^ 2 + im ^ 2 < 1"),
+)
+said(P, "are these and 1, each", by=coded("1", V, "mu = 1 /\\ nu = 0"))
+said(
+    P,
+    "eigenvectors for 1 are the multiples of (0,1,0,1) |",
+    by=coded("1(0,1,0,1)", V, "Column 0 y 0 y"),
+)
+said(P, "multiples of (0,1,0,1); where", by=coded("(0,1,0,1)", V, "Column 0 y 0 y"))
+said(P, "in turn take place, 0-1 recedes", by=coded("0-1", V, "0 < rate d x w B0 B1"))
+said(
+    P,
+    "for μ³ where μ³ + hμ² + hμ + r = 0, h = (1+r)/4",
+    by=coded(
+        "μ³μ³+hμ²+hμ+r=0,h=(1+r)/4", V, "mu ^ 3 + (1 + r) / 4 * mu ^ 2 + (1 + r) / 4 * mu + r = 0"
+    ),
+)
+said(P, "the parameter m with λ₀ = -m³", by=coded("λ₀=-m³", V, "Q r (- m ^ 3) = 0"))
 third = (constant("V_1") - 1) / 3
 said(P, "in [{}, {}];", *rounded_inwards((1 + third, constant("V_1") - third), 6))
 said(P, "by the time {} and", short((constant("T_star"),) * 2))
@@ -412,8 +457,6 @@ said(
 )
 
 P = "docs/explanation/speed.md"
-M = MEASURED["kernel"]
-said(P, "takes {} to {} microseconds; the law alone takes {}.", *M["decided"], M["law"])
 said(P, "about {} times as long", MEASURED["process"]["theorem1"])
 said(
     P,
@@ -507,6 +550,14 @@ for word in ("PROVED", "REFUSED", "MALFORMED"):
 
 said("docs/reference/exit-codes.md", "exits with {}:", EXIT_CODES[PROVED])
 P = "docs/reference/text.md"
+said(P, "counted from {};", coded("1", "verify/wire/text/matrices.py", "counted from 1"))
+said(P, "of at most {} rows", MAX_DETERMINANT)
+said(
+    P,
+    "is {} if a question is refuted, else {} if one is undecided, else {}.",
+    *(EXIT_CODES[verdict] for verdict in (REFUTED, UNDECIDED, PROVED)),
+)
+said(P, "for each case, {} at most", MAX_CASES)
 said(P, "numbers that are {} apart", short((2 * Fraction(1, 10**ROOT_DIGITS),) * 2))
 said(P, "(negative) from 1 to 2.", by="1 2" + coded("", P, "between = [1, 2]"))
 said(P, "no other one from 1 to 2,", by="1 2" + coded("", P, "between = [1, 2]"))
@@ -557,11 +608,10 @@ said(
 )
 said(
     P,
-    "rests on {} sentences, of which Coq has proved {}: {} are",
-    SIGN[0],
-    SIGN[1] or "none",
-    SIGN[0] - 1,
+    "The first verdict rests on {} sentences, of which Coq has proved {}; the",
+    *SIGN,
 )
+said(P, "prints {}, since it has", printed_by_checker("printed-sign"))
 said(P, "rests on {} sentences, of which Coq has proved {};", *SET)
 said(P, "every δ_θ ≤ {}.", angle()[0])
 said(
@@ -587,7 +637,7 @@ said(P, "is 501/500 and", by=true("1.002 = 501/500", lambda draw: {}))
 said(P, "at 45° has", by=coded("45°", P, "`[1, -1]`"))
 said(P, "speed is √2; ", by=true("√2 = √(1 + 1)", lambda draw: {}))
 said(P, "the speed 1 exactly", by=true("(4/5)² + (3/5)² = 1", lambda draw: {}) + "1")
-said(P, "is {}:", EXIT_CODES[UNDECIDED])
+said(P, "is {}, as of everything", EXIT_CODES[UNDECIDED])
 said(
     P,
     "velocities by 10, the same collisions happen 10 times",

@@ -245,7 +245,15 @@ said(
     ),
 )
 V = "verify/coq/PinnedPrintedSign.v"
-said(P, "collisions of i n and j n, n = 0, 1, …, one", by=coded("n=0,1,…", V, "N i j B0 a b"))
+said(
+    P,
+    "collisions of i n and j n, n = 0, 1, …, one",
+    by=coded(
+        "n=0,1,…",
+        "verify/coq/PinnedClassification.v",
+        "time O = 0) /\\ forall n, let t := time (S n) - time n in i n <> j n",
+    ),
+)
 said(P, "as printed, π/2 < θ₀ ≤ π", by=coded("π/2<θ₀≤π", V, "PI / 2 < theta_0 <= PI"))
 said(P, "each d ≥ 2 there is a set", by=coded("d≥2", V, "(2 <= d)%nat"))
 said(P, "θ₀ = 2π/3,", by=coded("θ₀=2π/3,", "verify/coq/PrintedSignProof.v", "(2 * (PI / 3))"))

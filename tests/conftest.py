@@ -6,6 +6,8 @@ slow` runs them, as CI does, and a file that is named is run as it is.
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -53,3 +55,18 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 def whole_lines(monkeypatch: pytest.MonkeyPatch) -> None:
     """Lines are not broken: tests of the terminal say themselves how wide it is."""
     monkeypatch.setenv("COLUMNS", "99999")
+
+
+@pytest.fixture
+def a_new_process() -> Iterator[None]:
+    """Nothing that the program has read or computed before is remembered; nor is it afterwards."""
+    _forget()
+    yield
+    _forget()
+
+
+def _forget() -> None:
+    for name in [name for name in sys.modules if name.partition(".")[0] == "verify"]:
+        for found in [*vars(sys.modules[name]).values()]:
+            if callable(getattr(found, "cache_clear", None)):
+                found.cache_clear()

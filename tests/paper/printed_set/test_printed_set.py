@@ -19,7 +19,7 @@ from verify.paper.commands import pages
 from verify.paper.commands.citing import as_printed
 from verify.paper.commands.theorem1 import decide_point
 from verify.wire.judge import report_on
-from verify.wire.packaged import PACKAGED_FILES, PRINTED_SET, packaged_files
+from verify.wire.packaged import PACKAGED_FILES, PRINTED_SET
 from verify.wire.write import write
 
 #: Orbits in a run; PRINTED_ORBITS chooses more.
@@ -251,13 +251,12 @@ def test_an_orbit_of_the_set(seed: int) -> None:
 # --- what is said ---------------------------------------------------------------------------------
 
 
+@pytest.mark.usefixtures("a_new_process")
 def test_an_altered_file_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
-    packaged_files.cache_clear()
     lies = {"statement.json": "0" * 64, "certificate.json": "0" * 64}
     monkeypatch.setitem(PACKAGED_FILES, PRINTED_SET, lies)
     with pytest.raises(OwnError, match="is not the file that came with the program"):
         as_printed(decide_point(PARAMETERS))
-    packaged_files.cache_clear()
 
 
 PARAMETERS = {"r": as_term(Fraction(3, 100)), "c": as_term(1), "V_0": as_term(1),

@@ -272,6 +272,7 @@ def test_what_comes_with_the_program_is_what_it_makes(name: str, page: str) -> N
 BOX = "theorem1 --r 0.02..0.03 --neg-cos 1"
 
 
+@pytest.mark.usefixtures("a_new_process")
 @pytest.mark.parametrize("name", ["statement.json", "certificate.json"])
 @pytest.mark.parametrize(
     ("folder", "words"),
@@ -299,11 +300,7 @@ def test_nothing_is_proved_by_a_file_that_was_tampered_with(
     changed = tmp_path / folder / name
     changed.write_bytes(changed.read_bytes() + b" ")
     monkeypatch.setattr(packaged, "PACKAGED", str(tmp_path))
-    packaged_files.cache_clear()
-    try:
-        assert main(words.replace("OUT", str(tmp_path)).split()) == 5
-    finally:
-        packaged_files.cache_clear()
+    assert main(words.replace("OUT", str(tmp_path)).split()) == 5
     found = capsys.readouterr()
     assert found.out == ""
     assert f"{name} is not the file that came with the program" in found.err

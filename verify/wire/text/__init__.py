@@ -13,7 +13,7 @@ from types import MappingProxyType
 
 from verify.language.argument import Chapter
 from verify.language.record import Record
-from verify.language.statement import Context, Obligation, Statement
+from verify.language.statement import Choice, Context, Obligation, Statement
 from verify.prover.hint import Hint
 
 #: So many other forms of a row are tried.
@@ -21,6 +21,7 @@ OTHERS = 3
 #: A row with its context.
 Form = tuple[Context | None, Obligation]
 NO_FORMS: Mapping[str, Iterator[Form]] = MappingProxyType({})
+NO_CHOICES: Mapping[str, Choice] = MappingProxyType({})
 
 
 class Page(Record):
@@ -28,9 +29,11 @@ class Page(Record):
 
     A form is a row that says the same, with its context, which has the same name. Each can
     be looked at once. The chapters of an argument have every line with what it follows from.
+    Choices are those of constants whose term in the statement is a bound, by the names of these.
     """
 
     statement: Statement
     hints: Mapping[str, Hint]
     forms: Mapping[str, Iterator[Form]] = NO_FORMS
     chapters: tuple[Chapter, ...] = ()
+    choices: Mapping[str, Choice] = NO_CHOICES

@@ -1,4 +1,4 @@
-"""Sets of constants with one list of rows, and constants that may be chosen: on pages of one's own."""
+"""Sets of constants with one list of rows, and constants that may be chosen, on a page."""
 
 from __future__ import annotations
 

@@ -140,6 +140,10 @@ PAGES = {
         "step",
         "fbc3dde261e2ba847277cf9f9c52da0128d16001edf4ca978e3f704e62af7baf",
     ),
+    "step_as_printed": (
+        "step-printed",
+        "0000000000000000000000000000000000000000000000000000000000000000",
+    ),
     "thresholds": (
         "thresholds",
         "0fcf81ba178ce421fce120c7685f98d139c9e100b1f3615c27f7b6cd1525f006",

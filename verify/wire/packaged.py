@@ -96,6 +96,10 @@ PAGES = {
         "classification",
         "9e15a4313b855ed5e2b25e3b0f9bd0d5414074ee70bc7dad295bbcb036f370eb",
     ),
+    "flow": (
+        "flow",
+        "d6fb43e160939ecb406d2af43b602772bf21f21749cf7a2ee4c3f7711d744803",
+    ),
     "line": (
         "line",
         "928dc7410896cca46bb968e03e2661aa0266bd4db760927a1c7184f37a159043",
@@ -142,7 +146,7 @@ PAGES = {
     ),
     "step_as_printed": (
         "step-printed",
-        "0000000000000000000000000000000000000000000000000000000000000000",
+        "1f3d0bd56b10202b0d94266047c34ec808a6d3daa90c57cf108bb4b13c5458b9",
     ),
     "thresholds": (
         "thresholds",

@@ -38,9 +38,10 @@ def test_a_name_of_a_page_is_where_its_line_begins(name: str) -> None:
     assert len(found) > len(rows) > 5
     assert {row.name for row in rows} <= {place.name for place in found}
     for place in found:
-        written = lines[place.line - 1].partition("=")[0].strip().strip('"').lstrip(".")
+        written = lines[place.line - 1].partition("=")[0].replace('"', "").strip().lstrip(".")
         ends = (place.name, place.name.rpartition(".")[2])
-        assert written.partition(".")[0] in ends or written in ends, place
+        begins = (written, written.rpartition(".")[0], written.partition(".")[0])
+        assert {*begins} & {*ends}, place
 
 
 def test_a_row_of_a_table_has_a_line_of_its_own() -> None:
@@ -79,7 +80,7 @@ def test_the_index_has_what_a_search_finds(monkeypatch: pytest.MonkeyPatch, tmp_
         index.lines.cache_clear()
         assert len(index.lines() or ()) == len(places())
         assert {word: (written(word), near(word)) for word in words} == expected
-        monkeypatch.setattr(index, "COMMANDS", "verify/paper/everywhere")
+        monkeypatch.setattr(index, "PAGES", "verify/paper/commands")
         index.lines.cache_clear()
         assert index.lines() is None
     finally:

@@ -9,8 +9,8 @@ from verify.language.statement import NEEDED, Obligation
 from verify.paper import theorem1
 from verify.paper.commands import pages
 from verify.paper.commands.classification import decide_classification
-from verify.paper.commands.elsewhere import decide_elsewhere
 from verify.paper.commands.pages import page
+from verify.paper.commands.sections_1_to_4 import decide_elsewhere
 from verify.paper.commands.spectrum import cite_spectrum
 from verify.paper.commands.step import decide_step
 from verify.prover.outcome import Outcome

@@ -136,7 +136,7 @@ def stated(page: Page) -> Statement:
     Raises:
         InputError: if a number cannot be chosen.
     """
-    from verify.prover.choose import BudgetError, chosen  # loaded only where it is used
+    from verify.prover.choices import BudgetError, chosen  # loaded only where it is used
 
     try:
         return chosen(page.statement, page.choices)

@@ -27,7 +27,7 @@ from verify.spheres.flow.law import (
     recentred,
     unnamed,
 )
-from verify.spheres.flow.readings import pairs_of, unit_of
+from verify.spheres.flow.pairs_and_units import pairs_of, unit_of
 from verify.spheres.scene.scene import Coordinates, difference, inner_product
 from verify.wire.text.read_page import read_page
 from verify.wire.write import write

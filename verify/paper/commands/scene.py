@@ -36,7 +36,7 @@ from verify.spheres.scene.decide import (
 )
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.scene_files import is_in_range
-from verify.spheres.scene.telling import (
+from verify.spheres.scene.statement import (
     CLASSIFICATION,
     TIME,
     Numbers,

@@ -17,7 +17,7 @@ from verify.spheres.scene.criteria import SAYS, SAYS_OF_UNEQUAL
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Fate
 from verify.spheres.scene.energy import energy_lost, normal_speeds
 from verify.spheres.scene.scene import Scene
-from verify.spheres.scene.telling import CLASSIFICATION
+from verify.spheres.scene.statement import CLASSIFICATION
 
 #: Bits of an angle in degrees, of which at most 60 digits are shown.
 ANGLE_BITS = 512

@@ -8,7 +8,7 @@ from itertools import groupby
 
 from verify.language.statement import BREAKS, PRINTED, PROVED, REFUTED, REPAIRED
 from verify.prover.decimals import decimal_text, round_decimal
-from verify.views.material import Margins, Ratios
+from verify.views.findings import Margins, Ratios
 from verify.views.plots import shapes
 
 TIGHTEST = 14

@@ -14,7 +14,7 @@ from math import lcm
 from verify.language.record import Record
 from verify.language.statement import NEEDED, Applies, Constant, Obligation
 from verify.language.terms import Claim, Number, Term, as_term, equal, sqrt, symbol
-from verify.spheres.flow import contexts, readings
+from verify.spheres.flow import contexts
 from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER
 from verify.spheres.flow.contexts import (
     COLLISION,
@@ -35,6 +35,7 @@ from verify.spheres.flow.law import (
     flight,
     recentred,
 )
+from verify.spheres.flow.pairs_and_units import Unit, pairs_of, unit_of
 from verify.spheres.scene.criteria import (
     INELASTIC,
     MOMENTUM,
@@ -210,7 +211,7 @@ class Telling:
         if self.state is None:
             return {pair_name(i, j): self._given_pair(i, j) for i, j in PAIRS}
         state, (o, s, c) = self._next(), self.frame
-        found = readings.pairs_of(state, self.keep)
+        found = pairs_of(state, self.keep)
         at = _of(contexts.PAIRS, state._asdict())
         for name, pair in found.items():
             numbers = {f"{field}_{name}": term for field, term in pair._asdict().items()}
@@ -260,7 +261,7 @@ class Telling:
     def collapse(self, found: Numbers) -> None:
         """A theorem applies; when, and at which angle, the particles collapse."""
         state, value = self._next(), found.values
-        unit = readings.unit_of(state, sqrt, self.keep)
+        unit = unit_of(state, sqrt, self.keep)
         at = _of(UNIT, {**state._asdict(), **unit._asdict()})
         self.apply(f"unit.{self.moves}", "this state with unit vectors", UNIT, at)
         is_on_a_line = "E" in value
@@ -287,7 +288,7 @@ class Telling:
         at = {name: as_term(value) for name, value in values.items()}
         self.row("collapse", says, Applies(start, at), "scene", *uses)
 
-    def _collapse_in_space(self, state: State, unit: readings.Unit, found: Numbers) -> Term:
+    def _collapse_in_space(self, state: State, unit: Unit, found: Numbers) -> Term:
         """The sharper theorem or the sandwich applies; a bound of the time that is left."""
         value = found.values
         start = {
@@ -335,7 +336,7 @@ class Telling:
             )
         return as_term(G) * U_b / as_term(value["w_b"] ** 2) / (1 - half * as_term(G))
 
-    def _collapse_on_a_line(self, unit: readings.Unit, value: Mapping[str, Fraction]) -> Term:
+    def _collapse_on_a_line(self, unit: Unit, value: Mapping[str, Fraction]) -> Term:
         """The theorem on a line applies; a bound of the time that is left."""
         for number, claim in enumerate(self._parallel(), 1):
             self.row(f"line.{number}", "the relative positions and velocities are on a line", claim)

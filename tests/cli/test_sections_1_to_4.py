@@ -10,7 +10,7 @@ import pytest
 from verify import check
 from verify.cli import main
 from verify.language.statement import ACCUSATIONS
-from verify.paper.commands.elsewhere import decide_elsewhere
+from verify.paper.commands.sections_1_to_4 import decide_elsewhere
 
 
 def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:

@@ -23,9 +23,7 @@ from verify.language.statement import (
     Constant,
     Context,
     Given,
-    Notes,
     Obligation,
-    Publication,
     Statement,
     Variable,
 )
@@ -49,12 +47,6 @@ Item = TypeVar("Item")
 Claims = Mapping[str, Claim] | Iterable[Claim]
 
 
-#: No publication: a statement of one's own is about no text that the program knows.
-NO_PAPER = Publication(
-    "", "", "", "", lambda _: None, {}, {}, {}, (), lambda: Notes((), (), (), {}), lambda: "", {}
-)
-
-
 class Result(Outcome):
     """A statement with its rows decided; a notebook shows it as a table with its formulas."""
 
@@ -70,9 +62,10 @@ class Result(Outcome):
 
     def latex(self) -> str:
         """The statement with its verdicts as one LaTeX document."""
-        from verify.views.tex.article import tex_document  # loaded only where it is used
+        from verify.publication import NOBODYS  # loaded only where they are used
+        from verify.views.tex.article import tex_document
 
-        return tex_document([self], NO_PAPER)
+        return tex_document([self], NOBODYS)
 
     def _repr_html_(self) -> str:
         from verify.views.notebook import notebook_page  # loaded only where it is used
@@ -80,9 +73,10 @@ class Result(Outcome):
         return notebook_page(self)
 
     def __str__(self) -> str:
-        from verify.views.prove import decided_lines  # loaded only where it is used
+        from verify.publication import NOBODYS  # loaded only where they are used
+        from verify.views.prove import decided_lines
 
-        return "\n".join(decided_lines(self, NO_PAPER))
+        return "\n".join(decided_lines(self, NOBODYS))
 
 
 # --- the parts of a statement --------------------------------------------------------------------

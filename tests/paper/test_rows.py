@@ -14,16 +14,7 @@ import pytest
 from mpmath import mp, mpf
 
 from tests.points import parameters
-from verify.language.statement import (
-    BREAKS,
-    HARMLESS,
-    NEEDED,
-    OTHERWISE,
-    PRINTED,
-    PROVED,
-    REFUTED,
-    Obligation,
-)
+from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Obligation
 from verify.language.terms import as_term, cos_pi, symbol
 from verify.paper import initial_data
 from verify.paper.assumptions import KINDS
@@ -34,6 +25,7 @@ from verify.paper.rows import INSTEAD, SEVERITIES, SLIP, graded, misprint, neede
 from verify.paper.step import COLLAPSE
 from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Outcome
+from verify.publication import BREAKS, HARMLESS, OTHERWISE
 
 #: The parameters of the committed certificates.
 POINTS = {

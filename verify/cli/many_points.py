@@ -18,7 +18,8 @@ from verify.paper.parameters import PRINTED
 from verify.paper.source import PAPER
 from verify.prover.decimals import exact_number
 from verify.prover.outcome import EXIT_CODES, conjunction
-from verify.wire.inputs import InputError, integer, interval, neg_cos, positive, restitution
+from verify.spheres.parameters import neg_cos, restitution
+from verify.wire.inputs import InputError, integer, interval, positive
 
 if TYPE_CHECKING:
     from typing import Any

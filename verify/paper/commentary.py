@@ -7,11 +7,11 @@ the table `paper | needed | why`. Remarks stand where no inequality decides.
 
 from __future__ import annotations
 
-from verify.language.statement import Change
 from verify.paper.initial_data import D_0, DELTA, ETA, X_0, ZETA
 from verify.paper.parameters import THEOREM
 from verify.paper.recursion import X_LINK
 from verify.paper.rows import Cause, Remark
+from verify.publication import Change
 
 CAUSES = (
     Cause(("hypotheses.angle-as-printed", "printed.second-assumption-as-printed"),

@@ -6,10 +6,10 @@ of the final angle (in -cos), ``V_0`` the lower bound on the squared relative sp
 
 from __future__ import annotations
 
-from verify.language.statement import HYPOTHESES as HYPOTHESES
 from verify.language.statement import PRINTED as PRINTED
-from verify.language.statement import REPAIRED as REPAIRED
 from verify.language.terms import symbol
+from verify.publication import HYPOTHESES as HYPOTHESES
+from verify.publication import REPAIRED as REPAIRED
 
 THEOREM = "THEORSS4.1ExistenCollapse"
 #: The name of the theorem that is proved for all of them at once.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from verify.language.record import Record
-from verify.language.statement import Assumption, Change, Choice, Constant, Obligation
+from verify.language.statement import Assumption, Choice, Constant, Obligation
 from verify.paper import initial_data, recursion
 from verify.paper.assumptions import ASSUMPTIONS
 from verify.paper.hypotheses import hypotheses, observations
@@ -13,6 +13,7 @@ from verify.paper.initial_data import CONSTANTS, ConstantSet
 from verify.paper.parameters import HYPOTHESES, PARAMETERS, PRINTED, REPAIRED, THEOREM
 from verify.paper.printed_definitions import check_definitions
 from verify.paper.rows import Cause, Remark
+from verify.publication import Change
 
 
 class Part(Record):

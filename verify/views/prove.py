@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from verify.language.statement import UNDECIDED, Obligation, Publication
+from verify.language.statement import UNDECIDED, Obligation
 from verify.language.terms import Claim, symbol
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import short, told_apart
 from verify.prover.outcome import Decision, Outcome
+from verify.publication import Publication
 from verify.views import words
 from verify.views.document import assumption_document, cite_document, row_document, value_text
 from verify.views.enclosures import exactly

@@ -65,9 +65,9 @@ def _everywhere(options: Options) -> int:
             shares = thresholds.all_shares(where)
             return view.printed_screen(outcome, where, shares, PAPER, verdicts)
         from verify.paper.commands.whole import whole
+        from verify.paper.parameters import AS_PRINTED
         from verify.views.everywhere import constants_and_set
         from verify.wire.judge import packaged
-        from verify.wire.packaged import AS_PRINTED
 
         as_printed = packaged(AS_PRINTED)
         return view.screen(outcome, PAPER, verdicts, as_printed, constants_and_set(whole()))

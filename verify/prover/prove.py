@@ -26,9 +26,7 @@ from verify.prover.hint import Hint
 from verify.prover.lengths import MAX_BITS
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import Step
-from verify.prover.reasons import hardest, without_value
 from verify.prover.rows_in_contexts import RowsInContexts
-from verify.prover.search.named import Named, by_names
 from verify.prover.search.relevance import facts_around
 from verify.prover.session import Session
 from verify.prover.techniques import find
@@ -201,6 +199,8 @@ def _following(
     row: Obligation, claim: Claim, hint: Hint, universal: Universal, price: Price
 ) -> Decision | None:
     """The decision that a row follows from the facts that are named, if a sum of them is found."""
+    from verify.prover.search.named import Named, by_names  # loaded only where they are used
+
     session, place = universal.session, row.context
     claims = {name: session.claims[name] for name in hint.using or () if name in session.claims}
     universal.budget.refill()
@@ -276,6 +276,8 @@ def _tried(row: Obligation, universal: Universal, price: Price) -> Decision:
 
 def _reason(found: Decision, row: Obligation, universal: Universal) -> str:
     """Why a row is undecided: what was tried, and where it is open."""
+    from verify.prover.reasons import hardest, without_value  # loaded only where they are used
+
     in_context = isinstance(row.claim, Claim) and row.context in universal.contexts
     if isinstance(row.claim, Claim) and in_context and not universal.budget.is_over:
         spent = universal.budget.spent

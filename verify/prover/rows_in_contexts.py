@@ -22,7 +22,6 @@ from verify.prover.proof import Proof
 from verify.prover.relations import negation
 from verify.prover.rules import Applying, Induction, Witness
 from verify.prover.search.question import Question, refuting_minimum
-from verify.prover.search.witnesses import false_points
 from verify.prover.universal import Universal, with_constants
 
 
@@ -135,6 +134,8 @@ class RowsInContexts:
                 own = {name: found[name] for name in found if name in context.point}
                 yield {**context.point, **own}
         yield context.point
+        from verify.prover.search.witnesses import false_points  # loaded only where it is used
+
         yield from false_points(Question(goal, self.known), context)
 
     def _witness(self, goal: Goal, context: Context, at: Mapping[str, Term]) -> Witness | None:

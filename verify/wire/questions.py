@@ -19,8 +19,6 @@ from verify.prover.proof import Step
 from verify.prover.prove import NO_HINTS, prove
 from verify.wire.inputs import InputError, TooDeepError, shown
 from verify.wire.judge import judged
-from verify.wire.read import cites_of, read_statement
-from verify.wire.term_json import TermReader
 from verify.wire.text import OTHERS, Page
 from verify.wire.write import certificate_file, digest, statement_file
 
@@ -40,9 +38,14 @@ def read_questions(content: bytes, cited: Mapping[str, bytes]) -> Statement:
     Raises:
         InputError: for a file that is not in the format, with the reason in one line.
     """
-    document = _document(content, cited)
-    reader = TermReader(document["terms"])
-    return read_statement(document, reader, cited)
+    return _statement(_document(content, cited), cited)
+
+
+def _statement(document: dict[str, Any], cited: Mapping[str, bytes]) -> Statement:
+    from verify.wire.read import read_statement  # loaded only where they are used
+    from verify.wire.term_json import TermReader
+
+    return read_statement(document, TermReader(document["terms"]), cited)
 
 
 def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
@@ -55,7 +58,7 @@ def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
     if path.endswith(".toml"):
         from verify.wire.text.read_page import read_page
 
-        return read_page(path, content, cites_of(cited))
+        return read_page(path, content, _cites(cited))
     if path.endswith(".smt2"):
         from verify.wire.text.smtlib import read_smtlib
 
@@ -249,6 +252,14 @@ def _claims(statement: Statement, steps: Sequence[Step]) -> Outcome:
     return Outcome(statement, decisions, tuple(steps), {})
 
 
+def _cites(cited: Mapping[str, bytes]) -> tuple[Cite, ...]:
+    if not cited:
+        return ()
+    from verify.wire.read import cites_of  # loaded only where it is used
+
+    return cites_of(cited)
+
+
 def _proved(cites: Sequence[Cite], prefix: str = "") -> Iterator[tuple[str, Statement]]:
     """What is cited, with its proved rows only, and what its names begin with here."""
     for cite in cites:
@@ -256,8 +267,7 @@ def _proved(cites: Sequence[Cite], prefix: str = "") -> Iterator[tuple[str, Stat
         yield from _proved(cite.cites, here)
         document = json.loads(cite.content)
         rows = [row for row in document["obligations"] if row["verdict"] == PROVED]
-        reader = TermReader(document["terms"])
-        yield here, read_statement(document | {"obligations": rows, "cites": []}, reader, {})
+        yield here, _statement(document | {"obligations": rows, "cites": []}, {})
 
 
 def all_cites(cites: Sequence[Cite]) -> list[Cite]:

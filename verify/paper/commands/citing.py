@@ -14,12 +14,12 @@ from verify.language.terms import Claim, sqrt
 from verify.paper import step
 from verify.paper.assumptions import STEP_ASSUMPTIONS
 from verify.paper.initial_data import alpha_0, discriminant, phi_minus
-from verify.paper.parameters import HYPOTHESES, PRINTED, REPAIRED
+from verify.paper.parameters import HYPOTHESES, PRINTED, PRINTED_SET, PRINTED_SIGN, REPAIRED
 from verify.paper.step import BETWEEN, STEP
 from verify.prover.outcome import Decision, Judgement, Outcome, conjunction, names_in
 from verify.prover.proof import LemmaStep, ObligationStep, Proof, Step, Value
 from verify.prover.rules import Applying, Root, Sum
-from verify.wire.packaged import PRINTED_SET, PRINTED_SIGN, packaged_files
+from verify.wire.packaged import packaged_files
 
 #: The judge of the row that the step applies: those that have judged all rows that it needs.
 BY_ROWS = "the rows that the step needs"

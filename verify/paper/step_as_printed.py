@@ -13,6 +13,7 @@ states.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from types import SimpleNamespace
 
 from verify.language.argument import (
     ByEntry,
@@ -30,7 +31,6 @@ from verify.language.argument import (
 from verify.language.record import Record
 from verify.language.statement import Constant, Context, Given, Obligation, Variable
 from verify.language.terms import Claim, Term, as_term, equal, maximum, sqrt, symbol
-from verify.paper.initial_data import C_eta, ConstantSet, alpha_0, delta_2, h_4, h_5, phi_minus
 from verify.paper.parameters import PRINTED, REPAIRED, V_0, c, r
 from verify.paper.rows import BREAKS, HARMLESS, SLIP, misprint
 from verify.paper.theorem1 import theorem
@@ -39,7 +39,11 @@ CONTEXT = "printed-state"
 #: Theorem 1 at a point where the fixed points are rational.
 PARAMETERS = {"r": "3/100", "c": "95/103", "V_0": "1", "delta_theta": "1/10"}
 
-k = ConstantSet(PRINTED)
+C_eta, alpha_0, delta_2, h_4, h_5, phi_minus = map(
+    symbol, ("C_eta", "alpha_0", "delta_2", "h_4", "h_5", "phi_minus")
+)
+_own = ("delta_x", "delta_y", "eta_bar", "zeta_bar", "d_slope", "d_const")
+k = SimpleNamespace(V_1=symbol("V_1"), **{name: symbol(f"{PRINTED}.{name}") for name in _own})
 AXES = ("1", "2", "3")
 VECTORS = ("omega_s", "W_s", "omega_c", "W_c")
 NUMBERS = ("d", "S", "tau", "D", "g", "d_0", "decay")

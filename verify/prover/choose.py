@@ -7,12 +7,14 @@ from fractions import Fraction
 from typing import Any
 
 from verify.language.fold import RATIONAL, fold
-from verify.language.statement import Choice, Constant
+from verify.language.statement import Choice, Constant, Statement
 from verify.language.terms import FUNCTIONS, Claim, Term, as_term
 from verify.prover import balls
+from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.decimals import round_decimal
 from verify.prover.ground import Ground
 from verify.prover.relations import FAILS, HOLDS, OPEN, holds
+from verify.prover.session import Session
 
 #: Chosen constants are rounded to this many significant decimal digits.
 CHOSEN_DIGITS = 3
@@ -48,6 +50,28 @@ def choose(ground: Ground, choice: Choice) -> Constant:
     if candidates[0] != candidates[1] and not _is_safe(ground, value, choice, bits):
         value = base + candidates[1]
     return choice.constant._replace(term=as_term(value))
+
+
+def chosen(statement: Statement, choices: Mapping[str, Choice]) -> Statement:
+    """The statement of a page, with short decimals for the constants that may be chosen.
+
+    ``choices`` has these by their names; in the statement their terms are the bounds.
+
+    Raises:
+        BudgetError: if a constant has no value, or a bound is not known, at the last precision.
+        ValueError: if a bound is not positive, or what it shall be above is not rational.
+    """
+    if not choices:
+        return statement
+    ground = Ground(Session(), DEFAULT_PRECISION, DEFAULT_MAX_PRECISION)
+    given = (Constant(name, name, name, "", term) for name, term in statement.parameters.items())
+    found: list[Constant] = []
+    for constant in (*given, *statement.constants):
+        choice = choices.get(constant.name)
+        found.append(constant if choice is None else choose(ground, choice))
+        if not ground.define(found[-1]):
+            raise BudgetError(f"{constant.name} has no value at {ground.max_bits} bits")
+    return statement._replace(constants=tuple(found[len(statement.parameters) :]))
 
 
 def _bound(ground: Ground, choice: Choice) -> tuple[tuple[Fraction, Fraction], int]:

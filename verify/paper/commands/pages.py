@@ -78,9 +78,10 @@ def decide(name: str) -> Outcome:
     for a page of any author.
     """
     if not is_argued(name):
-        from verify.wire import questions  # loaded only where it is used
+        from verify.prover.budget import WorkBudget  # loaded only where it is used
+        from verify.wire import questions
 
-        return questions.decide(page(name).statement, hints=page(name).hints)
+        return questions.decide_page(page(name), WorkBudget())
     from verify.prover.arguments import write_down  # loaded only where it is used
 
     with suppress(OwnError):  # what is at hand is refused where the page was changed since then

@@ -23,15 +23,8 @@ from verify.language.argument import Chapter, Line, Opened
 from verify.language.statement import Context, Obligation
 from verify.paper.commands.pages import content, names, page
 from verify.paper.commands.place import ROOT, Place
-from verify.paper.initial_data import ConstantSet
-from verify.paper.parameters import PRINTED, REPAIRED
 from verify.spheres import flow, scene
 from verify.wire.text.places import keys_of
-
-#: What a generator of the paper may ask for, by its annotation.
-ARGUMENTS: dict[str, tuple[Any, ...]] = {
-    "ConstantSet": (ConstantSet(PRINTED), ConstantSet(REPAIRED)),
-}
 
 #: A table of a page, and a key in it; what goes on in the next lines is indented.
 HEADER = re.compile(r"\[+([^\[\]]+)\]+\s*(?:#.*)?")
@@ -45,7 +38,7 @@ def places() -> tuple[Place, ...]:
     The modules that only collect what others yield come last, and add what is theirs alone.
     """
     found: dict[tuple[str, str], Place] = {}
-    for name in names():
+    for name in sorted(names(), key=lambda name: (name != "theorem1", name)):
         for place in _on_page(name):
             found.setdefault((place.name, place.part), place)
     for module in _modules():
@@ -70,11 +63,14 @@ def _on_page(name: str) -> list[Place]:
         )
 
     found = [
-        place(item.name, *rows.get(item.name, ("", "")), ("chapters", "rows", item.name))
+        place(item.name, *rows.get(item.name, ("", "")), *_keys("rows", item.name))
         for chapter in page(name).chapters
         for item in chapter.items
         if isinstance(item, Line)
     ]
+    for constant in statement.constants:
+        said = (constant.label, f"the constant {constant.letter}")
+        found.append(place(constant.name, *said, *_keys("constants", constant.name)))
     for context in statement.contexts:
         here, said = ("contexts", context.name), ("", f"in the context {context.name}")
         for given in context.givens:
@@ -85,6 +81,15 @@ def _on_page(name: str) -> list[Place]:
             keys = ((*here, "constants", key) for key in (constant.name, short, f".{short}"))
             found.append(place(constant.name, *said, *keys))
     return sorted(found, key=lambda place: place.line)
+
+
+def _keys(table: str, name: str) -> Iterator[tuple[str, ...]]:
+    """The keys under which a name may stand: in one of the sets it may be without that of its set.
+
+    A name under its full key is not that of another set.
+    """
+    for key in (name, name.partition(".")[2]):
+        yield from ((table, key), ("chapters", table, key))
 
 
 def _lines(text: str) -> dict[tuple[str, ...], int]:
@@ -121,20 +126,16 @@ def _collects(module: str) -> bool:
 def _written_in(module: ModuleType) -> Iterator[Place]:
     for function in [f for f in vars(module).values() if inspect.isfunction(f)]:
         if function.__module__ == module.__name__ and not function.__name__.startswith("_"):
-            for arguments in _arguments(function):
+            if not _asks(function):
                 if inspect.isgeneratorfunction(function):
-                    yield from _yielded(function(*arguments))
+                    yield from _yielded(function())
                 elif inspect.signature(function).return_annotation == "Context":
-                    yield from _known(function(*arguments), *_start(function))
+                    yield from _known(function(), *_start(function))
 
 
-def _arguments(function: Callable[..., Any]) -> Iterator[tuple[Any, ...]]:
-    """The arguments of a function where they are known: none, or one of `ARGUMENTS`."""
-    asked = [p for p in inspect.signature(function).parameters.values() if p.default is p.empty]
-    if not asked:
-        yield ()
-    elif len(asked) == 1:
-        yield from ((argument,) for argument in ARGUMENTS.get(asked[0].annotation, ()))
+def _asks(function: Callable[..., Any]) -> bool:
+    """Whether a function has arguments that have to be given."""
+    return any(p.default is p.empty for p in inspect.signature(function).parameters.values())
 
 
 def _yielded(running: Any) -> Iterator[Place]:

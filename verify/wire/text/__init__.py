@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
 from verify.language.record import TYPE_CHECKING, Record
-from verify.language.statement import Context, Obligation, Statement
+from verify.language.statement import Choice, Context, Obligation, Statement
 from verify.prover.hint import Hint
 
 if TYPE_CHECKING:
@@ -23,6 +23,7 @@ OTHERS = 3
 #: A row with its context.
 Form = tuple[Context | None, Obligation]
 NO_FORMS: Mapping[str, Iterator[Form]] = MappingProxyType({})
+NO_CHOICES: Mapping[str, Choice] = MappingProxyType({})
 
 
 class Page(Record):
@@ -30,9 +31,11 @@ class Page(Record):
 
     A form is a row that says the same, with its context, which has the same name. Each can
     be looked at once. The chapters of an argument have every line with what it follows from.
+    Choices are those of constants whose term in the statement is a bound, by the names of these.
     """
 
     statement: Statement
     hints: Mapping[str, Hint]
     forms: Mapping[str, Iterator[Form]] = NO_FORMS
     chapters: tuple[Chapter, ...] = ()
+    choices: Mapping[str, Choice] = NO_CHOICES

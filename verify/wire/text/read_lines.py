@@ -39,14 +39,14 @@ from verify.language.argument import (
     Reason,
     ToBeFound,
 )
-from verify.language.statement import REFUTED, Always, Applies, Obligation
+from verify.language.statement import NEEDED, REFUTED, Always, Applies, Obligation
 from verify.language.terms import Claim, Term, names_of, substitute_claim
 from verify.wire.inputs import nearest, shown
 from verify.wire.text.by import Facts, read_by
 from verify.wire.text.infix import read_term
 from verify.wire.text.page_tables import Reader
 
-CHAPTER = ("in", "group", "label", "says", "uses", "let", "at", "by", "rows")
+CHAPTER = ("in", "group", "label", "says", "uses", "let", "at", "by", "constants", "rows")
 LINE = (
     *("lemma", "claim", "applies", "at", "always", "start", "next", "instance", "in"),
     *("says", "label", "uses", "role", "severity", "corrected_by"),
@@ -100,8 +100,18 @@ class Lines:
         return tuple(_joined(found))
 
     def _home(self, entry: object) -> str | None:
-        """The context of a chapter."""
-        return self.page.around(["chapters"], self.page.table(["chapters"], entry, CHAPTER))
+        """The context of a chapter, if it is in one."""
+        (home, *others) = self._homes(entry)
+        return None if others or home in self.page.sets else home
+
+    def _homes(self, entry: object) -> Sequence[str | None]:
+        """Where a chapter is: in a context, in one or some sets of constants, or in neither."""
+        table, sets = self.page.table(["chapters"], entry, CHAPTER), self.page.sets
+        value = table.get("in", [])
+        if not sets or not value or (isinstance(value, str) and value not in sets):
+            return (self.page.around(["chapters"], table),)
+        names = self.page.texts(["chapters", "in"], value)
+        return [self.page.one_of(["chapters", "in"], name, [*sets]) for name in names]
 
     def _left(self, home: str | None) -> Iterator[Defined]:
         """The constants of a context that none of its lines uses."""
@@ -110,24 +120,39 @@ class Lines:
 
     def _chapter(self, entry: object) -> Iterator[Chapter]:
         table = self.page.table(["chapters"], entry, CHAPTER)
-        home = self._home(entry)
-        yield from self._opened_up_to(home)
-        self.page.let(["chapters", "let"], table.get("let", {}), home)
+        homes = self._homes(entry)
+        yield from self._opened_up_to(self._home(entry))
+        self.page.let(["chapters", "let"], table.get("let", {}), homes)
+        self._constants(table, homes)
         rows = self.page.table(["chapters", "rows"], table.get("rows", {}))
-        for name, row in rows.items():
-            keys = ["chapters", "rows", name]
+        for key, short, home in self.page.placed(rows, homes):
+            keys, row = ["chapters", "rows", key], rows[key]
             inner = self._home_of_line(keys, row, home)
             yield from self._opened_up_to(inner)
-            line = self._line(keys, name, row, inner, table)
+            line = self._line(keys, self.page.full(short, inner), row, inner, table)
             for constant in self._defined(line):
                 yield Chapter(self.homes[constant.name], (constant,))
-            yield Chapter(inner, (line,))
+            yield Chapter(None if inner in self.page.sets else inner, (line,))
+
+    def _constants(self, chapter: Mapping[str, Any], homes: Sequence[str | None]) -> None:
+        """The constants that a chapter defines, of the page or of its sets."""
+        keys = ["chapters", "constants"]
+        entries = self.page.table(keys, chapter.get("constants", {}))
+        if entries and {*homes} & {*self.page.contexts}:
+            what = "a context has its constants below [contexts.NAME.constants]; write them there"
+            raise self.places.error(keys, what)
+        label = self.page.text(["chapters", "label"], chapter.get("label", ""), "a label")
+        for key, short, home in self.page.placed(entries, homes):
+            place = [*keys, key]
+            self.page.constants.append(self.page.constant(place, short, entries[key], home, label))
 
     def _home_of_line(self, keys: Keys, row: object, home: str | None) -> str | None:
         """The context that a line names, of which "" is none; else that of its chapter."""
         found = row.get("in", home) if isinstance(row, dict) else home
         if found in (None, ""):
             return None
+        if found == home:
+            return home
         if found not in self.page.contexts:
             raise self.places.error([*keys, "in"], self.page.no_context(found))
         return str(found)
@@ -188,11 +213,26 @@ class Lines:
             return line
         if "verdict" in table:
             line = line._replace(reason=self._negation(keys, table["verdict"], line.reason))
-        fields = self.page.fields(keys, {**_fields(chapter, _FIELDS[:4]), **_fields(table)})
+        said = {**_fields(chapter, _FIELDS[:4]), **_fields(table)}
+        if home in self.page.sets:
+            said, home = self._said_in(home, name, said), None
+        fields = self.page.fields(keys, said)
         line = line._replace(label=fields["label"], says=fields["says"], uses=fields["uses"])
         self.page.rows[name] = Obligation(name=name, claim=claim, context=home, **fields)
         self._known(line, home)
         return line
+
+    def _said_in(self, home: str, name: str, said: Mapping[str, Any]) -> dict[str, Any]:
+        """What is said of a row of a set; how bad it is if it is false concerns the printed one."""
+        role = self.page.sets[home]
+        found = {"group": home, "role": role, **said}
+        if role == NEEDED:
+            return {k: v for k, v in found.items() if k not in ("severity", "corrected_by")}
+        needed = (s for s, other in self.page.sets.items() if other == NEEDED)
+        if "severity" in found and "corrected_by" not in found:
+            for better in needed:
+                found["corrected_by"] = name.replace(home, better, 1)
+        return found
 
     def _negation(self, keys: Keys, verdict: object, reason: Reason) -> ByNegation:
         """The reason, for the negation of the claim."""

@@ -22,7 +22,7 @@ from verify.paper.commands.theorem1 import decide_point
 from verify.paper.parameters import REPAIRED
 from verify.paper.rows import BREAKS
 from verify.paper.theorem1 import theorem
-from verify.prover.choose import entries_of
+from verify.prover.choices import entries_of
 
 sys.path.append(str(ROOT / "docs"))
 

@@ -33,7 +33,7 @@ from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.prove import NO_HINTS
 from verify.wire.inputs import InputError, nearest, shown
-from verify.wire.questions import decide
+from verify.wire.questions import decide, stated
 from verify.wire.read import cites_of
 from verify.wire.text.letters import letter_of
 from verify.wire.text.page_tables import NAME
@@ -337,7 +337,7 @@ def read_page(path: str | PathLike[str]) -> Statement:
         InputError: for a file that cannot be used, naming the line and what to write instead.
     """
     try:
-        return read_text(str(path), Path(path).read_bytes()).statement
+        return stated(read_text(str(path), Path(path).read_bytes()))
     except OSError as error:
         raise InputError(f"{path}: cannot be read ({error.strerror}); name a file") from error
 

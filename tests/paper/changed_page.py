@@ -1,4 +1,4 @@
-"""The page of Theorem 1 with some of its text changed, as somebody who tries something changes it."""
+"""The page of Theorem 1 with some of its text changed, as somebody may change it."""
 
 from __future__ import annotations
 

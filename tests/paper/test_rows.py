@@ -14,11 +14,11 @@ from mpmath import mp, mpf
 from tests.paper.changed_page import changed_page
 from tests.points import parameters
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Obligation
-from verify.language.terms import as_term, cos_pi, symbol
+from verify.language.terms import cos_pi
 from verify.paper import theorem1
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.parameters import GROUPS, REPAIRED
-from verify.paper.rows import INSTEAD, SEVERITIES, SLIP, graded, misprint, needed, printed
+from verify.paper.rows import INSTEAD, SEVERITIES, graded
 from verify.paper.step import COLLAPSE
 from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Outcome
@@ -33,8 +33,6 @@ POINTS = {
     "nearly a right angle": parameters("1/1000000", "1/20"),
     "5 pi/6": parameters("1/100", "1") | {"c": -cos_pi(Fraction(5, 6))},
 }
-
-CLAIM = as_term(0) < symbol("x")
 
 
 @cache
@@ -51,20 +49,6 @@ def refuted(outcome: Outcome) -> set[str]:
 
 
 # --- the grammar ---------------------------------------------------------------------------------
-
-
-def test_a_row_has_the_role_of_the_call_that_made_it() -> None:
-    made = needed("a", "L", "says", CLAIM, ["time"], group="g")
-    assert made == Obligation("a", "g", "L", NEEDED, "says", CLAIM, ("time",))
-    made = printed("a", "L", "says", CLAIM, group="g", context="inner")
-    assert made == Obligation("a", "g", "L", PRINTED, "says", CLAIM, context="inner")
-    made = misprint("a", "L", "says", CLAIM, group="g", severity=SLIP, corrected_by="b")
-    assert (made.role, made.severity, made.corrected_by) == (PRINTED, SLIP, "b")
-
-
-def test_an_unknown_severity_is_refused() -> None:
-    with pytest.raises(ValueError, match="'bad' is not one of"):
-        misprint("a", "L", "says", CLAIM, group="g", severity="bad", corrected_by="b")
 
 
 def test_the_group_is_a_field_and_names_are_unique() -> None:
@@ -183,12 +167,17 @@ def repaired(*names: str) -> set[str]:
 HYPOTHESIS = {"hypotheses.angle-as-printed"}
 #: The entries of the repaired minima that take the place of a sum, and what the paper prints.
 ZETA = (
-    '  "h_4*delta_x/16",\n  "delta_2/4*(h_4*delta_x)",\n  "V_0/V_1/16*(h_4*delta_x)",\n',
+    """  "h_4*delta_x/16",
+  "delta_2/4*(h_4*delta_x)",
+  "V_0/V_1/16*(h_4*delta_x)",
+""",
     '  "(1 + 4*delta_2 + V_0/V_1)/16*h_4*delta_x",\n',
 )
 ETA = (
-    '  "V_0/speed/(12*alpha_0)*(h_4*delta_x)",\n  "V_0/speed*(delta_2/6)*(h_4*delta_x)",\n'
-    '  "V_0/speed/24*(h_4*delta_x)",\n',
+    """  "V_0/speed/(12*alpha_0)*(h_4*delta_x)",
+  "V_0/speed*(delta_2/6)*(h_4*delta_x)",
+  "V_0/speed/24*(h_4*delta_x)",
+""",
     '  "V_0/speed*(2/(15*alpha_0) + h_4*delta_2/6 + h_4/(12*alpha_0) + h_4/24)*delta_x",\n',
 )
 D = (

@@ -1,4 +1,4 @@
-"""Sets of constants with one list of rows, and constants that may be chosen: on pages of one's own."""
+"""Sets of constants with one list of rows, and constants that may be chosen, on a page."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import pytest
 
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Choice, Constant, Obligation
 from verify.language.terms import as_term, minimum, symbol
+from verify.library import read_page as read_statement
 from verify.paper import theorem1
 from verify.prover.budget import WorkBudget
 from verify.wire.compiled import Compiled, compiled, read_compiled
@@ -101,7 +102,7 @@ def test_a_constant_of_a_set_is_called_as_an_earlier_one_of_its_name() -> None:
     assert found["new.u"].label == "M"
 
 
-def test_a_constant_that_may_be_chosen_is_a_short_decimal_on_its_side() -> None:
+def test_a_constant_that_may_be_chosen_is_a_short_decimal_on_its_side(tmp_path: Path) -> None:
     found = page()
     assert {name: c.direction for name, c in found.choices.items()} == {
         "new.q": "down",
@@ -111,6 +112,9 @@ def test_a_constant_that_may_be_chosen_is_a_short_decimal_on_its_side() -> None:
     values = {constant.name: constant.term for constant in outcome.statement.constants}
     assert values["new.q"] == as_term(Fraction("0.471"))  # √2/3 = 0.47140…
     assert values["new.u"] == as_term(Fraction(1, 8) + Fraction("0.680"))  # 0.6793… above 1/8
+    path = tmp_path / "page.toml"
+    path.write_text(PAGE, encoding="utf-8")
+    assert read_statement(path).constants == outcome.statement.constants
     verdicts = {row.name: decision.verdict for row, decision in outcome.rows}
     assert {n for n, verdict in verdicts.items() if verdict != PROVED} == {"old.small"}
     assert verdicts["old.small"] == REFUTED

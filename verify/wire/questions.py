@@ -119,7 +119,7 @@ def decide_page(page: Page, budget: WorkBudget) -> Outcome:
     """
     statement = page.statement
     if not page.forms:
-        return decide(_chosen(page), budget, page.hints)
+        return decide(stated(page), budget, page.hints)
     with budget.part(1, 1.5) as most:
         first = decide(statement, most, page.hints)
     open_rows = [row.name for row, found in first.rows if found.claimed == UNDECIDED]
@@ -133,14 +133,20 @@ def decide_page(page: Page, budget: WorkBudget) -> Outcome:
     return decide(_with_forms(statement, found), budget, page.hints)
 
 
-def _chosen(page: Page) -> Statement:
-    """The statement of a page, with a number for each constant that may be chosen."""
-    from verify.prover.choose import BudgetError, chosen  # loaded only where it is used
+def stated(page: Page) -> Statement:
+    """The statement of a page, with a number for each constant that may be chosen.
+
+    Raises:
+        InputError: if a number cannot be chosen.
+    """
+    from verify.prover.choices import BudgetError, chosen  # loaded only where it is used
 
     try:
         return chosen(page.statement, page.choices)
     except (BudgetError, ValueError) as error:
-        raise InputError(f"STATEMENT: a constant cannot be chosen: {error}") from error
+        raise InputError(
+            f"STATEMENT: a constant cannot be chosen: {error}; write its value"
+        ) from error
 
 
 def _by_other_forms(page: Page, name: str, budget: WorkBudget, rows: int) -> Outcome | None:

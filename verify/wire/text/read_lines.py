@@ -46,7 +46,7 @@ from verify.wire.text.by import Facts, read_by
 from verify.wire.text.infix import read_term
 from verify.wire.text.page_tables import Reader
 
-CHAPTER = ("in", "group", "label", "says", "uses", "let", "at", "by", "constants", "rows")
+CHAPTER = ("in", "group", "label", "says", "uses", "let", "at", "by", "using", "constants", "rows")
 LINE = (
     *("lemma", "claim", "applies", "at", "always", "start", "next", "instance", "in"),
     *("says", "label", "uses", "role", "severity", "corrected_by"),
@@ -192,7 +192,9 @@ class Lines:
     ) -> Line:
         table = self.page.table(keys, row if isinstance(row, dict) else {"lemma": row}, LINE)
         if "instance" in table:
-            table = {key: chapter[key] for key in ("at", "by") if key in chapter} | table
+            table = _fields(chapter, ("at", "by")) | table
+        elif not {*BRANCH, "rule", "false_at", "instance"} & {*table}:
+            table = _fields(chapter, ("using",)) | table
         kinds = [kind for kind in KINDS if kind in table]
         if len(kinds) != 1 and kinds != ["claim", "instance"]:
             what = f"it has {' and '.join(kinds)}" if kinds else "it has no claim"

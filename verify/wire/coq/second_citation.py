@@ -1,6 +1,6 @@
 """A statement with the numbers that its terms have where another one is cited first.
 
-    python -m verify.wire.coq.beside FOLDER FIRST      # prints the file for Coq, readable
+    python -m verify.wire.coq.second_citation FOLDER FIRST      # prints the file for Coq, readable
 
 A statement has the terms and contexts of those that it cites first, in order, so that it begins
 with the numbers of the first one. Of a second one the numbers come after those: it is exported once

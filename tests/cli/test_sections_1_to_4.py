@@ -9,7 +9,7 @@ import pytest
 
 from verify import check
 from verify.cli import main
-from verify.paper.commands.elsewhere import decide_elsewhere
+from verify.paper.commands.sections_1_to_4 import decide_elsewhere
 from verify.publication import ACCUSATIONS
 
 

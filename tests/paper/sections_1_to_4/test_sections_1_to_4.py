@@ -9,15 +9,15 @@ from functools import cache
 import pytest
 
 from tests.pages import Variables, context, headings, rows
-from tests.paper.elsewhere.values import holds, value, with_constants
+from tests.paper.sections_1_to_4.values import holds, value, with_constants
 from verify import check
 from verify.language.argument import ByWitness, Line
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Obligation
 from verify.language.terms import Claim, Term, as_term, names_of, substitute, substitute_claim
-from verify.paper.commands.elsewhere import decide_elsewhere
 from verify.paper.commands.pages import page
 from verify.paper.commands.places import places
 from verify.paper.commands.regenerate import is_right_statement
+from verify.paper.commands.sections_1_to_4 import decide_elsewhere
 from verify.paper.source import printed_numbers
 from verify.prover.outcome import Outcome
 from verify.prover.proof import LemmaStep, ObligationStep

@@ -11,7 +11,7 @@ from verify.prover.decimals import exact_number
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 from verify.publication import ACCUSATIONS, BREAKS, Publication
 from verify.views import words
-from verify.views.material import Whole
+from verify.views.findings import Whole
 from verify.views.row_lists import MORE, plain_letters
 from verify.views.screen import causes, printed_lines
 from verify.views.tex import sentences

@@ -14,8 +14,19 @@ from math import lcm
 from verify.language.record import Record
 from verify.language.statement import NEEDED, Applies, Constant, Obligation
 from verify.language.terms import Claim, Number, Term, as_term, equal, sqrt, symbol
-from verify.spheres.flow import changes, collision, pairs, readings
+from verify.spheres.flow import contexts
 from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER
+from verify.spheres.flow.contexts import (
+    COLLISION,
+    DRIFT,
+    FLOW,
+    LETTERS,
+    NAMED,
+    PARTING,
+    PASSING,
+    RECENTRE,
+    UNIT,
+)
 from verify.spheres.flow.law import (
     Pair,
     State,
@@ -24,8 +35,7 @@ from verify.spheres.flow.law import (
     flight,
     recentred,
 )
-from verify.spheres.flow.spaces import LETTERS
-from verify.spheres.flow.theorem import NAME as FLOW
+from verify.spheres.flow.pairs_and_units import Unit, pairs_of, unit_of
 from verify.spheres.scene.criteria import (
     INELASTIC,
     MOMENTUM,
@@ -153,12 +163,12 @@ class Telling:
         way = flight(before, sqrt, self.keep)
         after = collided(r, before, way, self.keep)
         self.time = self.keep(TIME, self.time + way.y * way.T)
-        later = {f"{n}_next": getattr(after, n) for n in collision.NAMED}
+        later = {f"{n}_next": getattr(after, n) for n in NAMED[COLLISION]}
         self.apply(
             f"collision.{self.collisions}",
             f"collision {self.collisions}, of {pair_name(o, c)}, at the time t_{self.moves}; no "
             "other pair meets before",
-            collision.CONTEXT,
+            COLLISION,
             {"r": r, **before._asdict(), **way._asdict(), **later},
         )
         self.frame, self.state = (o, c, s), _terms(after)
@@ -168,7 +178,7 @@ class Telling:
         before, (o, s, c) = self._next(), self.frame
         after = recentred(before, self.keep)
         says = f"the particles {o} and {c} as they are seen from {s}"
-        self._change(changes.RECENTRE, says, before, after, {})
+        self._change(RECENTRE, says, before, after, {})
         self.frame = (s, o, c)
 
     def drift(self, time: Fraction) -> None:
@@ -177,7 +187,7 @@ class Telling:
         after = drifted(before, as_term(time), self.keep)
         self.time = self.keep(TIME, self.time + as_term(time))
         says = f"free flight until t_{self.moves}; no pair meets"
-        self._change(changes.DRIFT, says, before, after, {"drift.t": time})
+        self._change(DRIFT, says, before, after, {"drift.t": time})
 
     def _next(self) -> State:
         self.moves += 1
@@ -188,7 +198,7 @@ class Telling:
     def _change(
         self, kind: str, says: str, before: State, after: State, more: Mapping[str, Number]
     ) -> None:
-        named = changes.NAMED[kind]
+        named = NAMED[kind]
         at = {f"{kind}.{name}": value for name, value in before._asdict().items()}
         at |= {f"{kind}.{name}_next": getattr(after, name) for name in named}
         self.apply(f"{kind}.{self.moves}", says, kind, {**at, **more})
@@ -201,13 +211,13 @@ class Telling:
         if self.state is None:
             return {pair_name(i, j): self._given_pair(i, j) for i, j in PAIRS}
         state, (o, s, c) = self._next(), self.frame
-        found = readings.pairs_of(state, self.keep)
-        at = _of(readings.PAIRS, state._asdict())
+        found = pairs_of(state, self.keep)
+        at = _of(contexts.PAIRS, state._asdict())
         for name, pair in found.items():
             numbers = {f"{field}_{name}": term for field, term in pair._asdict().items()}
-            at |= _of(readings.PAIRS, numbers)
+            at |= _of(contexts.PAIRS, numbers)
         says = f"the pairs {pair_name(o, c)}, {pair_name(o, s)} and {pair_name(s, c)} of this state"
-        self.apply(f"pairs.{self.moves}", says, readings.PAIRS, at)
+        self.apply(f"pairs.{self.moves}", says, contexts.PAIRS, at)
         names = {"c": pair_name(o, c), "s": pair_name(o, s), "outer": pair_name(s, c)}
         return {names[name]: pair for name, pair in found.items()}
 
@@ -219,10 +229,10 @@ class Telling:
 
     def disperse(self, contexts: Mapping[str, str]) -> None:
         """No pair collides any more, each for a reason: it parts, or it passes by."""
-        words = {pairs.PARTING: "do not approach any more", pairs.PASSING: "will miss each other"}
+        words = {PARTING: "do not approach any more", PASSING: "will miss each other"}
         for name, pair in self.pairs().items():
             context = contexts[name]
-            fields = ("p", "m") if context == pairs.PARTING else ("g", "p", "m")
+            fields = ("p", "m") if context == PARTING else ("g", "p", "m")
             at = {f"{context}.{field}": getattr(pair, field) for field in fields}
             says = f"the particles {name[0]} and {name[1]} {words[context]}"
             self.apply(f"end.{name}", says, context, at, "scene-disperses")
@@ -251,9 +261,9 @@ class Telling:
     def collapse(self, found: Numbers) -> None:
         """A theorem applies; when, and at which angle, the particles collapse."""
         state, value = self._next(), found.values
-        unit = readings.unit_of(state, sqrt, self.keep)
-        at = _of(readings.UNIT, {**state._asdict(), **unit._asdict()})
-        self.apply(f"unit.{self.moves}", "this state with unit vectors", readings.UNIT, at)
+        unit = unit_of(state, sqrt, self.keep)
+        at = _of(UNIT, {**state._asdict(), **unit._asdict()})
+        self.apply(f"unit.{self.moves}", "this state with unit vectors", UNIT, at)
         is_on_a_line = "E" in value
         if is_on_a_line:
             later = self._collapse_on_a_line(unit, value)
@@ -278,7 +288,7 @@ class Telling:
         at = {name: as_term(value) for name, value in values.items()}
         self.row("collapse", says, Applies(start, at), "scene", *uses)
 
-    def _collapse_in_space(self, state: State, unit: readings.Unit, found: Numbers) -> Term:
+    def _collapse_in_space(self, state: State, unit: Unit, found: Numbers) -> Term:
         """The sharper theorem or the sandwich applies; a bound of the time that is left."""
         value = found.values
         start = {
@@ -326,7 +336,7 @@ class Telling:
             )
         return as_term(G) * U_b / as_term(value["w_b"] ** 2) / (1 - half * as_term(G))
 
-    def _collapse_on_a_line(self, unit: readings.Unit, value: Mapping[str, Fraction]) -> Term:
+    def _collapse_on_a_line(self, unit: Unit, value: Mapping[str, Fraction]) -> Term:
         """The theorem on a line applies; a bound of the time that is left."""
         for number, claim in enumerate(self._parallel(), 1):
             self.row(f"line.{number}", "the relative positions and velocities are on a line", claim)

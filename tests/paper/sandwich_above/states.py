@@ -13,7 +13,7 @@ from tests.paper.sharper.particles import Particles
 from verify.language.terms import Claim, Term
 from verify.paper.commands.pages import page
 from verify.prover import balls
-from verify.prover.choose import round_to_digits
+from verify.prover.choices import round_to_digits
 from verify.spheres.flow.collapse import Start
 from verify.spheres.flow.sandwich import above
 

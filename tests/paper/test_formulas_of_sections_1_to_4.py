@@ -11,14 +11,14 @@ import pytest
 from verify.language.statement import REFUTED
 from verify.paper import theorem1
 from verify.paper.commands.classification import decide_classification
-from verify.paper.commands.elsewhere import decide_elsewhere
+from verify.paper.commands.sections_1_to_4 import decide_elsewhere
 from verify.paper.commands.spectrum import cite_spectrum
 from verify.paper.commands.step import decide_step
 from verify.paper.source import printed_numbers
 from verify.prover.outcome import Outcome
 from verify.prover.uses import nodes
 
-TABLE = Path(theorem1.__file__).parent / "formulas_elsewhere.md"
+TABLE = Path(theorem1.__file__).parent / "formulas_of_sections_1_to_4.md"
 
 #: How many displayed formulas there are, counted in the LaTeX text.
 DISPLAYED = 169

@@ -9,8 +9,18 @@ from fractions import Fraction
 import pytest
 from flint import arb
 
-from tests.paper.changing import accepted_lies, answer, changed, claim_of, report, standing, without
-from tests.paper.outside.states import (
+from tests.paper.changed_statements import (
+    accepted_lies,
+    answer,
+    changed,
+    claim_of,
+    report,
+    standing,
+    without,
+)
+from tests.paper.sandwich.states import Random, values_of
+from tests.paper.sandwich.states import fails as fails_inside
+from tests.paper.sandwich_above.states import (
     ABOVE,
     FLOOR,
     GIVENS,
@@ -22,8 +32,6 @@ from tests.paper.outside.states import (
     holds,
     numbers_of,
 )
-from tests.paper.sandwich.states import Random, values_of
-from tests.paper.sandwich.states import fails as fails_inside
 from verify.language.statement import PROVED
 from verify.language.terms import Claim
 from verify.paper.commands.collapse import decide_outside

@@ -23,7 +23,7 @@ from verify.prover.outcome import Decision
 from verify.prover.program import Machine, Program
 from verify.prover.proof import LemmaStep
 from verify.prover.relations import fails, holds
-from verify.views.everywhere import LEFT_OPEN, Outcome
+from verify.views.all_parameters import LEFT_OPEN, Outcome
 from verify.wire.read import read
 from verify.wire.text.read_page import read_page
 from verify.wire.write import write

@@ -9,7 +9,7 @@ from verify.paper.commands.pages import statement
 from verify.paper.step import MEANING, STEP
 from verify.paper.theorem1 import theorem
 from verify.publication import HYPOTHESES, REPAIRED
-from verify.views.material import Whole
+from verify.views.findings import Whole
 
 #: How the state at the start is written in the inequalities of the set.
 START = {

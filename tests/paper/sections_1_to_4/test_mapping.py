@@ -13,7 +13,7 @@ from functools import cache
 import pytest
 
 from tests.pages import Variables, claim, context, rows
-from tests.paper.elsewhere.values import holds, value, with_constants
+from tests.paper.sections_1_to_4.values import holds, value, with_constants
 from verify.language.statement import NEEDED
 from verify.language.terms import Claim, Term
 

@@ -47,7 +47,8 @@ def run(options: Options) -> int:
     test_folder("--out", options.out, "statement.json", "certificate.json", "report.md")
     page = read_page_of(options.STATEMENT, content, cited)
     statement = _chosen(page.statement, options.rows)
-    page = page._replace(statement=statement)
+    if options.rows is not None:
+        page = page.with_rows(statement.obligations)._replace(statement=statement)
     if options.rows is not None and options.out is not None:
         _keep_more(options.out, statement)
     steps = Steps(len(statement.obligations))

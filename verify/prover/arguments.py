@@ -9,7 +9,7 @@ from typing import Any
 
 from verify.language import argument
 from verify.language.argument import Argument, Chapter, Defined, Line, Opened, Reason
-from verify.language.statement import PROVED, REFUTED, UNDECIDED, Context, Obligation, Statement
+from verify.language.statement import PROVED, REFUTED, UNDECIDED, Constant, Context, Obligation, Statement
 from verify.language.terms import Claim, Term, names_of
 from verify.prover import rules
 from verify.prover.budget import WorkBudget
@@ -95,12 +95,16 @@ class Writing:
             elif isinstance(item, Opened):
                 self.opened(item.context, item.premises)
             elif isinstance(item, Defined):
-                self.session.constant(self.constants[item.name], rules.Define(), chapter.context)
+                self.defined(self.constants[item.name], chapter.context)
 
     def opened(self, context: Context, premises: tuple[str, ...] | None) -> None:
         """Open a context at its point."""
         numeric: list[Premise] = [rules.Interval(POINT_BITS) for _ in context.givens]
         self.session.open(context, numeric if premises is None else premises)
+
+    def defined(self, constant: Constant, context: str | None) -> None:
+        """Define a constant of a context."""
+        self.session.constant(constant, rules.Define(), context)
 
     def line(self, line: Line, context: str | None) -> None:
         """Write down a row, or a lemma."""

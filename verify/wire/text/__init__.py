@@ -8,10 +8,10 @@ uses the language and the readers of numbers beside it. A newcomer begins with `
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from types import MappingProxyType
 
-from verify.language.argument import Chapter
+from verify.language.argument import Chapter, Line, ToBeFound
 from verify.language.record import Record
 from verify.language.statement import Context, Obligation, Statement
 from verify.prover.hint import Hint
@@ -34,3 +34,29 @@ class Page(Record):
     hints: Mapping[str, Hint]
     forms: Mapping[str, Iterator[Form]] = NO_FORMS
     chapters: tuple[Chapter, ...] = ()
+
+    def with_rows(self, rows: tuple[Obligation, ...]) -> Page:
+        """The page with some of its rows; others stay as lemmas, where a line says why they hold."""
+        dropped = {*self.statement.obligations} - {*rows}
+        names = {row.name for row in dropped}
+        chapters = tuple(
+            Chapter(chapter.context, (*(x for x in chapter.items if not _is_bare(x, names)),))
+            for chapter in self.chapters
+        )
+        statement = self.statement._replace(obligations=rows)
+        return self._replace(statement=statement, chapters=chapters)
+
+    @property
+    def is_argued(self) -> bool:
+        """Whether a line says what it follows from, or is no row."""
+        rows = {row.name for row in self.statement.obligations}
+        lines = (item for chapter in self.chapters for item in chapter.items)
+        return any(
+            isinstance(x, Line) and (x.name not in rows or not isinstance(x.reason, ToBeFound))
+            for x in lines
+        )
+
+
+def _is_bare(item: object, names: Container[str]) -> bool:
+    """Whether an item of a chapter is one of these rows, and names nothing."""
+    return isinstance(item, Line) and isinstance(item.reason, ToBeFound) and item.name in names

@@ -9,7 +9,15 @@ from typing import Any
 
 from verify.language import argument
 from verify.language.argument import Argument, Chapter, Defined, Line, Opened, Reason
-from verify.language.statement import PROVED, REFUTED, UNDECIDED, Constant, Context, Obligation, Statement
+from verify.language.statement import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Constant,
+    Context,
+    Obligation,
+    Statement,
+)
 from verify.language.terms import Claim, Term, names_of
 from verify.prover import rules
 from verify.prover.budget import WorkBudget

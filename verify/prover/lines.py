@@ -115,7 +115,12 @@ class Deciding(Writing):
             if row.name not in self.decisions:
                 self.line(Line(row.name, row.claim, ToBeFound()), row.context)
         enclosures = {} if self.spent else enclosures_of(self.statement, self.ground, self.unmade)
-        spent = self.spent or next(iter(self.unmade.values()), "")
+        lemmas = (
+            f"the lemma {name} is not shown: {why}"
+            for name, why in self.missing.items()
+            if name not in self.rows
+        )
+        spent = next(iter((*filter(None, [self.spent]), *self.unmade.values(), *lemmas)), "")
         steps = tuple(self.session.steps)
         return Outcome(self.statement, self.decisions, steps, enclosures, spent)
 

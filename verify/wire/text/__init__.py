@@ -36,15 +36,15 @@ class Page(Record):
     chapters: tuple[Chapter, ...] = ()
 
     def with_rows(self, rows: tuple[Obligation, ...]) -> Page:
-        """The page with some of its rows; others stay as lemmas, where a line says why they hold."""
-        dropped = {*self.statement.obligations} - {*rows}
-        names = {row.name for row in dropped}
+        """The page with these of its rows; others whose lines say why they hold are lemmas."""
+        names = {row.name for row in self.statement.obligations} - {row.name for row in rows}
         chapters = tuple(
             Chapter(chapter.context, (*(x for x in chapter.items if not _is_bare(x, names)),))
             for chapter in self.chapters
         )
         statement = self.statement._replace(obligations=rows)
-        return self._replace(statement=statement, chapters=chapters)
+        hints = {name: hint for name, hint in self.hints.items() if name not in names}
+        return self._replace(statement=statement, hints=hints, chapters=chapters)
 
     @property
     def is_argued(self) -> bool:

@@ -88,7 +88,7 @@ class Lines:
         if not isinstance(value, list):
             raise self.places.error(["chapters"], "is no list of tables; write [[chapters]]")
         last = {self._home(entry): number for number, entry in enumerate(value)}
-        found: list[Chapter] = []
+        found = [*self._before()] if value else []
         for number, entry in enumerate(value):
             found += self._chapter(entry)
             home = self._home(entry)
@@ -98,6 +98,22 @@ class Lines:
             found += self._opened(len(self.waiting))
             found += [Chapter(home, tuple(self._left(home))) for home in self.page.contexts]
         return tuple(_joined(found))
+
+    def _before(self) -> Iterator[Chapter]:
+        """The rows that stand outside of chapters, as lines before them."""
+        for row in self.page.rows.values():
+            claim = row.claim
+            yield from self._opened_up_to(row.context)
+            yield from self._opened_up_to(None if isinstance(claim, Claim) else claim.context)
+            line = Line(row.name, claim, ToBeFound())
+            yield from self._with_constants(line, row.context)
+            self._known(line, row.context)
+
+    def _with_constants(self, line: Line, home: str | None) -> Iterator[Chapter]:
+        """A line, after the constants that it is the first to use."""
+        for constant in self._defined(line):
+            yield Chapter(self.homes[constant.name], (constant,))
+        yield Chapter(home, (line,))
 
     def _home(self, entry: object) -> str | None:
         """The context of a chapter."""
@@ -118,10 +134,7 @@ class Lines:
             keys = ["chapters", "rows", name]
             inner = self._home_of_line(keys, row, home)
             yield from self._opened_up_to(inner)
-            line = self._line(keys, name, row, inner, table)
-            for constant in self._defined(line):
-                yield Chapter(self.homes[constant.name], (constant,))
-            yield Chapter(inner, (line,))
+            yield from self._with_constants(self._line(keys, name, row, inner, table), inner)
 
     def _home_of_line(self, keys: Keys, row: object, home: str | None) -> str | None:
         """The context that a line names, of which "" is none; else that of its chapter."""
@@ -143,6 +156,8 @@ class Lines:
             self.claims |= {given.name: given.claim for given in context.givens}
             self.homes |= {given.name: context.name for given in context.givens}
             premises = self.page.premises.get(context.name)
+            for name in premises or ():
+                self._fact(["contexts", context.name, "by"], name)
             yield Chapter(context.parent, (Opened(context, premises),))
         del self.waiting[:count]
 
@@ -184,6 +199,7 @@ class Lines:
         reason = self._reason(keys, table, claim, home)
         line = Line(name, claim, reason)
         if kind in ("lemma", "instance"):
+            self._holds(keys, table)
             self._known(line, home)
             return line
         if "verdict" in table:
@@ -193,6 +209,13 @@ class Lines:
         self.page.rows[name] = Obligation(name=name, claim=claim, context=home, **fields)
         self._known(line, home)
         return line
+
+    def _holds(self, keys: Keys, table: Mapping[str, Any]) -> None:
+        """Afterwards a table says nothing that only rows may say."""
+        for key in ("false_at", "verdict", "role", "uses", "severity", "corrected_by"):
+            if key in table:
+                what = "a lemma is no row, and has to hold; write claim = ..., or leave it out"
+                raise self.places.error([*keys, key], what)
 
     def _negation(self, keys: Keys, verdict: object, reason: Reason) -> ByNegation:
         """The reason, for the negation of the claim."""

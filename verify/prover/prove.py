@@ -36,6 +36,7 @@ from verify.prover.universal import Universal
 
 NOTHING_FOUND = "neither a proof nor an example against it was found"
 
+TRY = "name the facts from which it follows, as by = ..., or write a lemma before it"
 TOO_LONG = f"a number in it has more than {MAX_BITS} bits, which the checker does not read"
 
 #: So often another proof is looked for where the checker cannot afford one.
@@ -299,7 +300,8 @@ def _reason(found: Decision, row: Obligation, universal: Universal) -> str:
             where = ()
     else:
         where = ()
-    return "; ".join((found.reason or NOTHING_FOUND, *universal.reasons, *where))
+    what_to_try = (TRY,) if in_context and not universal.is_restricted else ()
+    return "; ".join((found.reason or NOTHING_FOUND, *universal.reasons, *where, *what_to_try))
 
 
 def _why(error: Exception) -> str:

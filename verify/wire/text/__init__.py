@@ -8,7 +8,7 @@ uses the language and the readers of numbers beside it. A newcomer begins with `
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
 from verify.language.argument import Chapter, Line, ToBeFound
@@ -36,10 +36,22 @@ class Page(Record):
     chapters: tuple[Chapter, ...] = ()
 
     def with_rows(self, rows: tuple[Obligation, ...]) -> Page:
-        """The page with these of its rows; others whose lines say why they hold are lemmas."""
+        """The page with these of its rows; others that lines name are lemmas."""
+        from verify.prover.arguments import facts_of  # loaded only where it is used
+
         names = {row.name for row in self.statement.obligations} - {row.name for row in rows}
+        lines = {x.name: x for c in self.chapters for x in c.items if isinstance(x, Line)}
+        waiting = [name for name in lines if name not in names]
+        while waiting:
+            for name in facts_of(lines[waiting.pop()].reason):
+                if name in names:
+                    names.discard(name)
+                    waiting += [name] if name in lines else []
         chapters = tuple(
-            Chapter(chapter.context, (*(x for x in chapter.items if not _is_bare(x, names)),))
+            Chapter(
+                chapter.context,
+                tuple(x for x in chapter.items if not isinstance(x, Line) or x.name not in names),
+            )
             for chapter in self.chapters
         )
         statement = self.statement._replace(obligations=rows)
@@ -55,8 +67,3 @@ class Page(Record):
             isinstance(x, Line) and (x.name not in rows or not isinstance(x.reason, ToBeFound))
             for x in lines
         )
-
-
-def _is_bare(item: object, names: Container[str]) -> bool:
-    """Whether an item of a chapter is one of these rows, and names nothing."""
-    return isinstance(item, Line) and isinstance(item.reason, ToBeFound) and item.name in names

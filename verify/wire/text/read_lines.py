@@ -41,6 +41,7 @@ from verify.language.argument import (
 )
 from verify.language.statement import REFUTED, Always, Applies, Obligation
 from verify.language.terms import Claim, Term, names_of, substitute_claim
+from verify.prover.arguments import facts_of
 from verify.wire.inputs import nearest, shown
 from verify.wire.text.by import Facts, read_by
 from verify.wire.text.infix import read_term
@@ -119,6 +120,23 @@ class Lines:
         """The context of a chapter."""
         return self.page.around(["chapters"], self.page.table(["chapters"], entry, CHAPTER))
 
+    def _are_here(self, keys: Keys, line: Line, home: str | None) -> None:
+        """Afterwards the facts that a line names are known where it uses them."""
+        reason = line.reason.reason if isinstance(line.reason, ByNegation) else line.reason
+        places = dict.fromkeys(facts_of(reason), home)
+        if isinstance(reason, ByInstance):
+            places = dict.fromkeys(reason.givens, home)
+        if isinstance(reason, ByInduction) and isinstance(line.claim, Always):
+            places = dict.fromkeys(reason.next, line.claim.context)
+            places |= dict.fromkeys(reason.start, home)
+        for name, place in places.items():
+            found = self.homes.get(name)
+            if found not in (*self.page.scope.chain(place),):
+                what = (
+                    f"{shown(name)} is a fact of {found}, and not known in {place or 'no context'}"
+                )
+                raise self.places.error([*keys, "by"], f"{what}; name another one")
+
     def _left(self, home: str | None) -> Iterator[Defined]:
         """The constants of a context that none of its lines uses."""
         for name in [name for name, (context, _) in self.undefined.items() if context == home]:
@@ -134,7 +152,9 @@ class Lines:
             keys = ["chapters", "rows", name]
             inner = self._home_of_line(keys, row, home)
             yield from self._opened_up_to(inner)
-            yield from self._with_constants(self._line(keys, name, row, inner, table), inner)
+            line = self._line(keys, name, row, inner, table)
+            self._are_here(keys, line, inner)
+            yield from self._with_constants(line, inner)
 
     def _home_of_line(self, keys: Keys, row: object, home: str | None) -> str | None:
         """The context that a line names, of which "" is none; else that of its chapter."""
@@ -188,6 +208,8 @@ class Lines:
             what = f"it has {' and '.join(kinds)}" if kinds else "it has no claim"
             raise self.places.error(keys, f"{what}; write one of {', '.join(KINDS)}")
         (kind, *_) = kinds
+        for key in _passed_over(table):
+            raise self.places.error([*keys, key], "it changes nothing here; leave it out")
         self.page.name(keys, name)
         claim: Claim | Applies | Always
         if kind in ("applies", "always"):
@@ -399,6 +421,25 @@ class Lines:
             known = [*self.claims, *self.homes]
             instead = nearest(name, known, "write names of what is given, or of earlier lines")
             raise self.places.error(keys, f"{shown(name)} is no fact known here; {instead}")
+
+
+def _passed_over(table: Mapping[str, Any]) -> Iterator[str]:
+    """The keys of a line that say how it follows, and of which its kind of proof has no use."""
+    rule, products = table.get("rule"), ("by", "using", "plus")
+    others: tuple[str, ...] = ()
+    if "false_at" in table:
+        others = (*products, "rule", "of", "side", "verdict")
+    elif any(kind in table for kind in ("applies", "always", "instance")):
+        others = ("using", "plus", "rule", "of", "side")
+    elif rule in ("root", "interval"):
+        others = (*products, "of", "side")
+    elif rule == "entry":
+        others = products
+    elif rule == "cases":
+        others = ("using", "plus", "side")
+    elif rule is None and not isinstance(table.get("by"), list):
+        others = ("of", "side")
+    yield from (key for key in others if key in table)
 
 
 def _joined(chapters: Iterable[Chapter]) -> Iterator[Chapter]:

@@ -580,3 +580,44 @@ def test_alternatives_among_givens_and_claims_are_decided() -> None:
     files = write(outcome)
     checked = check.check(files["statement.json"], files["certificate.json"], {})
     assert checked.rows == verdicts
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "says", "never"),
+    [
+        ("a.fpcore", "(FPCore (x) :pre (<= 1 x 0x1p3) x)", "no number", "declare"),
+        (
+            "a.toml",
+            (
+                'title = "t"\n[contexts.c]\nvariables = ["w", "z"]\n'
+                'given = "0 <= w <= 1, 0 <= z"\n'
+                '[rows]\na = {in = "c", claim = "w <= 2"}\n'
+            ),
+            "in a list",
+            "write a point",
+        ),
+    ],
+)
+def test_what_cannot_be_read_is_refused_with_its_remedy(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    name: str,
+    text: str,
+    says: str,
+    never: str,
+) -> None:
+    path = tmp_path / name
+    path.write_text(text)
+    assert main(["prove", str(path)]) == 2
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n")) == ("", 1)
+    assert says in err
+    assert never not in err
+
+
+@pytest.mark.parametrize("text", ["1 x 1e300) (* x x)", "0 x 1000) (exp x)"])
+def test_no_range_is_asked_that_leaves_out_large_values(tmp_path: Path, text: str) -> None:
+    """It is refused, or it is read exactly; a bound that is too small would be refuted."""
+    path = tmp_path / "a.fpcore"
+    path.write_text(f"(FPCore (x) :pre (<= {text})")
+    assert main(["prove", str(path)]) in (0, 2)

@@ -391,6 +391,10 @@ class Reader:
             return real(self.dialect.numbers[word])
         if word in self.dialect.truths:
             return (FALSE, TRUE)[self.dialect.truths.index(word)]
+        if not word.quoted and word[:1].isdigit():
+            raise self.source.error(
+                word, f"{shown(word)} is no number in decimal digits; write 8 or 0.5"
+            )
         instead = nearest(word, scope.names(), "declare it before")
         raise self.source.error(word, f"{shown(word)} is not known; {instead}")
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from math import floor, isfinite, log10
+from math import floor, isfinite, isinf, log10
 from os.path import basename
 
 from verify.language.statement import NEEDED, Context, Given, Obligation, Statement, Variable
@@ -155,7 +155,12 @@ class _Core:
         sides = [side for claim in self.claims for side in (claim.lhs, claim.rhs)]
         size = sum(1 for _ in parts_of(self.term, *(c.term for c in self.constants), *sides))
         count = min(SAMPLES, max(FEW, parts // size))
-        found = [value for value in map(self._value, self._samples(count)) if isfinite(value)]
+        values = [*map(self._value, self._samples(count))]
+        if any(map(isinf, values)):
+            raise self.source.error(
+                self.tree, "a value is too large to be sampled; write smaller bounds in :pre"
+            )
+        found = [value for value in values if isfinite(value)]
         if not found:
             raise self.source.error(self.tree, "the expression has no value at any sampled point")
         low, high = Fraction(min(found)), Fraction(max(found))

@@ -59,18 +59,13 @@ _ALGEBRA: Mapping[str, Callable[..., float]] = {
 
 
 def estimate(term: Term, values: Mapping[str, float]) -> float:
-    """About the value of a term; NaN where it has none, or where a name in it has none.
-
-    What is too large for a float is infinite.
-    """
+    """About the value of a term; NaN where it has none, or where a name in it has none."""
 
     def named(name: str) -> float:
         return values.get(name, math.nan)
 
     try:
         return fold(term, {**_ALGEBRA, "symbol": named}, {})
-    except OverflowError:
-        return math.inf
     except (ArithmeticError, ValueError, MissingOperationError, RecursionError):
         return math.nan
 

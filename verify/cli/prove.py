@@ -68,7 +68,10 @@ def run(options: Options) -> int:
         print_document(decided_document(outcome))
     else:
         show(decided_lines(outcome, _publication(outcome), numbers=options.verbose), options)
-    return INTERRUPTED if budget.interrupted else outcome.exit_code
+    if budget.interrupted:
+        print("verify: interrupted", file=sys.stderr)
+        return INTERRUPTED
+    return outcome.exit_code
 
 
 def _publication(outcome: Outcome) -> Publication:

@@ -77,7 +77,9 @@ FINITE = ("on-a-line", "spinning", "turning")
 #: Those whose certificates are made here; the others' are committed.
 OWN_SCENES = Path(__file__).with_name("scenes")
 #: The files of statements that are exported once more, after the flow, as `verify/coq/build` does.
-AFTER_FLOW = {"Sharper": "sharper", "AsPrinted": "printed-set"}
+AFTER_FLOW = {
+    "Sharper": "sharper", "AsPrinted": "printed-set", "Collapsing": "classification",
+}  # fmt: skip
 PARTS = ("the_nodes", "the_contexts", "the_rows", "the_citations", "the_statement")
 
 

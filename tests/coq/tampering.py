@@ -256,8 +256,8 @@ PAGES = {
     "Spectrum": ("PinnedSpectrum", {"SpectrumProof": ()}),
 }  # fmt: skip
 
-#: In the files of scenes that collapse, where each changed number and each other order is refused.
-SCENE, CUT = "Scene_nearly_aligned", "Scene_cut"
+#: In the files of scenes, where each changed number and each other order is refused.
+SCENE, CUT, LATER = "Scene_nearly_aligned", "Scene_cut", "Scene_turning_later"
 SCENES = {
     "cut-the-same": ("", ""),
     "scene-velocity": ("- (7 / 5)", "- (8 / 5)"),
@@ -276,6 +276,11 @@ SCENES = {
     "cut-time": ("the_time_1 : R := (", "the_time_1 : R := 2 * ("),
     "cut-scene": ("scene_drift_0_1 : Theorem1.scene := Theorem1.later (",
         "scene_drift_0_1 : Theorem1.scene := Theorem1.later (2 * "),
+    "later-the-same": ("", ""),
+    "later-velocity": ("- (9 / 10)", "- (8 / 10)"),
+    "later-no-collision": ("[(Theorem1.B0, Theorem1.B2, the_time_1)]", "[]"),
+    "later-another-ball": ("[(Theorem1.B0, Theorem1.B2,", "[(Theorem1.B0, Theorem1.B1,"),
+    "later-another-criterion": ("finite_by_turning", "finite_by_receding"),
 }  # fmt: skip
 
 FALSE = "Theorem proved : False. Proof. exact wrong. Qed.\n"
@@ -585,12 +590,13 @@ def another_statement(name: str, directory: Path) -> bool:
 
 def another_scene(name: str, directory: Path) -> bool:
     """Whether a scene with another number, or another order of collisions, is refused."""
-    (old, new), file = SCENES[name], CUT if name.startswith("cut") else SCENE
+    (old, new), kind = SCENES[name], name.partition("-")[0]
+    file = {"cut": CUT, "later": LATER}.get(kind, SCENE)
     text = (directory / f"{file}.v").read_text()
     if old and text.count(old) != 1:
         raise ValueError(f"{old}: {text.count(old)} times in {file}.v")
     written(directory, file, text.replace(old, new) if old else text)
-    return (coqc(directory, file).returncode == 0) == (name == "cut-the-same")
+    return (coqc(directory, file).returncode == 0) == name.endswith("the-same")
 
 
 Way = tuple[str, Callable[[str, Path], bool]]

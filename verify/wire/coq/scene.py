@@ -50,17 +50,20 @@ BITS = 1 << 12
 #: What may come next on the way to a collision.
 FLIGHT = {"flow:collision", "flow:drift"}
 REASON = "it is no scene that disperses or collapses after collisions, each seen from one ball"
-#: The rows of a criterion by which finitely many collisions are possible: how their names begin, and
-#: the rest, with its theorem and what that has to unfold.
+#: The rows of a criterion by which finitely many collisions are possible: how their names begin,
+#: and the rest, with its theorem and what that has to unfold.
 FINITE = "finite."
-CRITERIA = {
+CRITERIA: dict[tuple[str, ...], tuple[str, str]] = {
     ("restitution",): ("restitution", ""),
     ("rest", "momentum"): ("momentum", "square_spin"),
     ("far", "receding"): ("receding", "square_size total_growth"),
     ("far", "turning"): ("turning", "square_size total_growth square_spin"),
 }
 #: Those that may hold after some collisions and not at the start, with the rows that are used then.
-LATER = {("far", "receding"): ("far", "receding"), ("far", "turning"): ("turning",)}
+LATER: dict[tuple[str, ...], tuple[str, ...]] = {
+    ("far", "receding"): ("far", "receding"),
+    ("far", "turning"): ("turning",),
+}
 #: The collisions of a theorem in Coq happen after a time.
 AT_ONCE = "two balls touch and collide at once, which no theorem in Coq allows for"
 
@@ -254,7 +257,7 @@ class Scene:
                 flight = Way([f"{n}"], [])
                 s, c = c, s
         if self.limits:
-            yield self.finite_later((o, s, c), flight.seen[-1])
+            yield self.finite_later(flight.seen[-1])
         else:
             yield self.collapse((o, s, c)) if self.collapses else self.last((o, s, c))
 
@@ -290,7 +293,7 @@ Proof.
   {proof}
 Qed."""
 
-    def finite_later(self, balls: tuple[int, int, int], seen: str) -> str:
+    def finite_later(self, seen: str) -> str:
         """A criterion for the state after the last collision, and the theorem."""
         n, d, r = len(self.collisions), self.dimension, self.restitution()
         theorem, unfolded = self.criterion

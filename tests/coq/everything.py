@@ -222,9 +222,11 @@ def everything(folders: list[Path]) -> str:
         "From Verify Require PinnedPrintedSet.",
         "Definition printed_set : PinnedPrintedSet.printed_set_theorem",
         "  := PinnedPrintedSet.printed_set_proved.",
-        "From Verify Require PinnedClassification PinnedPrintedSign PinnedSpectrum.",
+        "From Verify Require PinnedClassification PinnedPrintedSign PinnedSpectrum PinnedLine.",
         f"Definition classification : {conjunction('PinnedClassification.', COLLAPSES)}",
         "  := PinnedClassification.classification_proved.",
+        "Definition line : PinnedLine.line_theorem /\\ PinnedLine.equal_on_a_line",
+        "  := PinnedLine.line_proved.",
         "Definition printed_sign : PinnedPrintedSign.printed_sign_theorem",
         "  := PinnedPrintedSign.printed_sign_proved.",
         "Definition not_as_printed : ~ PinnedPrintedSign.as_printed",
@@ -249,7 +251,7 @@ def everything(folders: list[Path]) -> str:
     names = "".join(f", true_{name}" for name in own)
     main = f"soundness, files, theorem_1, point, angle, {', '.join(map(compiled, scenes))}"
     main += ", Pinned.collapsing_scene, printed_set, separatrix, discharged, classification"
-    main += ", printed_sign, not_as_printed, matrix, spectrum"
+    main += ", line, printed_sign, not_as_printed, matrix, spectrum"
     lines.append(f"Definition everything := ({main}{names}).")
     return "\n".join([*lines, "Print Assumptions everything.", ""])
 

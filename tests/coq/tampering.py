@@ -168,8 +168,8 @@ PRINTED = {
 PRINTED_STUB = "From Verify Require PrintedSet.\nAxioms lemma1 : PrintedSet.printed_set_theorem.\n"
 PRINTED_STUB += "Definition printed_set_theorem_holds := lemma1.\n"
 
-#: In the files that say which collapses there are, that the printed sign is wrong, and what the
-#: spectrum is, each seen by the page that pins it: hypotheses that nothing satisfies, a witness
+#: In the files that say which collapses there are, what balls do on a line, that the printed sign is
+#: wrong, and what the spectrum is, each seen by the page that pins it: hypotheses that nothing satisfies, a witness
 #: that satisfies not all of them, another order or ball, <= for <, the plane for R^d, less.
 OTHERS = {
     "the-same-classification": Definition("Classification", "", ""),
@@ -214,6 +214,29 @@ OTHERS = {
     ),
     "collapse-later": Definition("Classification", "0 < t < T -> coll", "0 < t < T / 2 -> coll"),
     "collapse-slower": Definition("Classification", "6 <= size d s ->", "7 <= size d s ->"),
+    "the-same-line": Definition("Line", "", ""),
+    "line-of-no-Q": Definition("Line", "-> 0 < r -> distinct", "-> r < 0 -> distinct"),
+    "line-parting": Definition("Line", "rate d s' i j = - r *", "rate d s' i j <= - r *"),
+    "line-another-law": Definition("Line", "velocity s b k + J / mass j", "velocity s b k - J / mass j"),
+    "line-equal-masses": Definition(
+        "Line", "(1 + r) * mass b / (mass o + mass b)", "(1 + r) * mass b / (mass b + mass b)"
+    ),
+    "line-another-order": Definition("Line", "Nat.even n then c else a in", "Nat.even n then a else c in"),
+    "line-others-meet": Definition(
+        "Line", "radius i + radius k < distance d (later t s) i k",
+        "0 < distance d (later t s) i k",
+    ),
+    "line-overlap": Definition(
+        "Line", "a <> b -> radius a + radius b < distance", "a <> b -> 0 < distance"
+    ),
+    "line-in-the-plane": Definition(
+        "Line", "Prop :=\n  forall d mass", "Prop :=\n  let d := 2%nat in forall mass"
+    ),
+    "line-slower": Definition("Line", "share mass r o a * Q * (1 - Q) ->", "share mass r o a * Q * (1 - 2 * Q) ->"),
+    "line-time": Definition("Line", "T <= (1 - Q) / (1 - 2 * Q) * (gap", "T <= (1 - Q) / (1 - 2 * Q) ^ 2 * (gap"),
+    "line-angle": Definition("Line", "(scenes n) o a c = 1) /\\", "(scenes n) o a c <= 1) /\\"),
+    "line-touch": Definition("Line", "distance d at_T o a = radius o", "distance d at_T o a >= radius o"),
+    "line-equal-later": Definition("Line", "(gap / closing)) 1 0.", "(gap / closing)) 1 1."),
     "matrix-entry": Definition("Spectrum", "- 59 * r - 1) / 64", "- 59 * r + 1) / 64"),
     "matrix-order": Definition(
         "Spectrum",
@@ -238,7 +261,7 @@ OTHERS = {
     ),
     "spectrum-no-decay": Definition("Spectrum", "exists q, 0 < q < 1 /\\", "exists q, 0 < q /\\"),
 }  # fmt: skip
-#: The page that pins each of the three, and the files with proofs on which it rests, with what they
+#: The page that pins each of the four, and the files with proofs on which it rests, with what they
 #: prove: a theorem for each proposition.
 PAGES = {
     "Classification": (
@@ -252,6 +275,7 @@ PAGES = {
             "Finite": ("finite_or_endless",),
         },
     ),
+    "Line": ("PinnedLine", {"LineProof": ("line", "equal_on_a_line")}),
     "PrintedSign": ("PinnedPrintedSign", {"PrintedSignProof": ("printed_sign_theorem",)}),
     "Spectrum": ("PinnedSpectrum", {"SpectrumProof": ()}),
 }  # fmt: skip

@@ -9,7 +9,7 @@ Import ListNotations.
 From Verify Require Vectors Sequences Ending Steady OneStep Trajectory OneScene Interior InTurn Gram.
 From Verify Require Meaning Step Collapse FromNumbers Runs Sharper AnyStep SharperStep SharperCollapse.
 From Verify Require PrintedSet PrintedProof Classification Contacts Settling Endless Turning.
-From Verify Require ClassificationProof PrintedSign PrintedSignProof.
+From Verify Require ClassificationProof PrintedSign PrintedSignProof Line LineProof.
 From Verify Require Spectrum SpectrumMatrix SpectrumRoots SpectrumEigen SpectrumOrbits SpectrumSentences.
 Open Scope R_scope.
 Definition B1 : ball := Theorem1.B1.
@@ -261,6 +261,19 @@ Check (Settling.settles_in_time : forall d mass radius scenes time i j T, (foral
 Check (Endless.settles_late : forall d r first scenes time i j, 0 < r < 1 ->
   Classification.endless d r first scenes time i j -> ~ (exists T, Un_cv time T) ->
   exists z, Classification.settles d scenes z).
+
+(* --- balls on a line ---------------------------------------------------------------------------- *)
+
+(* The proposition is spelled out in PinnedLine.v, and so is what it means to be on a line. *)
+Check (fun d mass r i j s s' => eq_refl : Line.parts d mass r i j s s' =
+  exists J, 0 <= J /\ position s' = position s /\
+    (forall b k, velocity s' b k =
+      if same b i then velocity s b k - J / mass i * to s i j k
+      else if same b j then velocity s b k + J / mass j * to s i j k
+      else velocity s b k) /\
+    rate d s' i j = - r * rate d s i j).
+Check (fun mass r o b => eq_refl : Line.share mass r o b = (1 + r) * mass b / (mass o + mass b)).
+Check (LineProof.line_holds : Line.line_theorem).
 
 (* --- the spectrum ----------------------------------------------------------------------------------- *)
 

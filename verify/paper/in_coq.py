@@ -55,7 +55,11 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
     "sandwich": _GENERAL,
     "outside": {name: _GENERAL[name] for name in ("hard-spheres", "cauchy-schwarz")},
     "flow": {"hard-spheres": _GENERAL["hard-spheres"]},
-    "line": {"bounded-monotone": _GENERAL["bounded-monotone"]},
+    "line": {
+        "balls-on-a-line": ("Line.parts", "Line.share"),
+        "bounded-monotone": _GENERAL["bounded-monotone"],
+        "glue-line": ("LineProof.line_holds",),
+    },
     f"{THEOREM}, the set as printed": {
         **_VECTORS,
         **_OPEN,

@@ -168,9 +168,10 @@ PRINTED = {
 PRINTED_STUB = "From Verify Require PrintedSet.\nAxioms lemma1 : PrintedSet.printed_set_theorem.\n"
 PRINTED_STUB += "Definition printed_set_theorem_holds := lemma1.\n"
 
-#: In the files that say which collapses there are, what balls do on a line, that the printed sign is
-#: wrong, and what the spectrum is, each seen by the page that pins it: hypotheses that nothing satisfies, a witness
-#: that satisfies not all of them, another order or ball, <= for <, the plane for R^d, less.
+#: In the files that say which collapses there are, what balls do on a line, that the printed sign
+#: is wrong, and what the spectrum is, each seen by the page that pins it: hypotheses that nothing
+#: satisfies, a witness that satisfies not all of them, another order or ball, <= for <, the plane
+#: for R^d, less.
 OTHERS = {
     "the-same-classification": Definition("Classification", "", ""),
     "the-same-sign": Definition("PrintedSign", "", ""),
@@ -217,11 +218,15 @@ OTHERS = {
     "the-same-line": Definition("Line", "", ""),
     "line-of-no-Q": Definition("Line", "-> 0 < r -> distinct", "-> r < 0 -> distinct"),
     "line-parting": Definition("Line", "rate d s' i j = - r *", "rate d s' i j <= - r *"),
-    "line-another-law": Definition("Line", "velocity s b k + J / mass j", "velocity s b k - J / mass j"),
+    "line-another-law": Definition(
+        "Line", "velocity s b k + J / mass j", "velocity s b k - J / mass j"
+    ),
     "line-equal-masses": Definition(
         "Line", "(1 + r) * mass b / (mass o + mass b)", "(1 + r) * mass b / (mass b + mass b)"
     ),
-    "line-another-order": Definition("Line", "Nat.even n then c else a in", "Nat.even n then a else c in"),
+    "line-another-order": Definition(
+        "Line", "Nat.even n then c else a in", "Nat.even n then a else c in"
+    ),
     "line-others-meet": Definition(
         "Line", "radius i + radius k < distance d (later t s) i k",
         "0 < distance d (later t s) i k",
@@ -232,10 +237,16 @@ OTHERS = {
     "line-in-the-plane": Definition(
         "Line", "Prop :=\n  forall d mass", "Prop :=\n  let d := 2%nat in forall mass"
     ),
-    "line-slower": Definition("Line", "share mass r o a * Q * (1 - Q) ->", "share mass r o a * Q * (1 - 2 * Q) ->"),
-    "line-time": Definition("Line", "T <= (1 - Q) / (1 - 2 * Q) * (gap", "T <= (1 - Q) / (1 - 2 * Q) ^ 2 * (gap"),
+    "line-slower": Definition(
+        "Line", "share mass r o a * Q * (1 - Q) ->", "share mass r o a * Q * (1 - 2 * Q) ->"
+    ),
+    "line-time": Definition(
+        "Line", "T <= (1 - Q) / (1 - 2 * Q) *", "T <= (1 - Q) / (1 - 2 * Q) ^ 2 *"
+    ),
     "line-angle": Definition("Line", "(scenes n) o a c = 1) /\\", "(scenes n) o a c <= 1) /\\"),
-    "line-touch": Definition("Line", "distance d at_T o a = radius o", "distance d at_T o a >= radius o"),
+    "line-touch": Definition(
+        "Line", "distance d at_T o a = radius o", "distance d at_T o a >= radius o"
+    ),
     "line-equal-later": Definition("Line", "(gap / closing)) 1 0.", "(gap / closing)) 1 1."),
     "matrix-entry": Definition("Spectrum", "- 59 * r - 1) / 64", "- 59 * r + 1) / 64"),
     "matrix-order": Definition(
@@ -275,7 +286,7 @@ PAGES = {
             "Finite": ("finite_or_endless",),
         },
     ),
-    "Line": ("PinnedLine", {"LineProof": ("line", "equal_on_a_line")}),
+    "Line": ("PinnedLine", {"LineProof": ("line_theorem", "equal_on_a_line")}),
     "PrintedSign": ("PinnedPrintedSign", {"PrintedSignProof": ("printed_sign_theorem",)}),
     "Spectrum": ("PinnedSpectrum", {"SpectrumProof": ()}),
 }  # fmt: skip

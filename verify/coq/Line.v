@@ -8,7 +8,7 @@ From Coq Require Import Reals Arith.
 From Verify Require Import Theorem1 Classification.
 Open Scope R_scope.
 
-Section AnyBalls.
+Section OnALine.
 Variable d : nat.
 Variables mass radius : ball -> R.
 Variable r : R.
@@ -41,7 +41,7 @@ Definition on_a_line (e : vector) (s : scene) (o a c : ball) (away gap closing :
     to s o c k = (radius o + radius c + gap) * e k /\ relative s o c k = - closing * e k.
 (* The share of the closing speed that ball o takes over in a collision with b. *)
 Definition share (o b : ball) : R := (1 + r) * mass b / (mass o + mass b).
-End AnyBalls.
+End OnALine.
 
 Definition line_theorem : Prop :=
   forall d mass radius r s o a c e away gap closing Q,

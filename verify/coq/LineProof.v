@@ -302,7 +302,7 @@ Qed.
 End Collisions.
 End OnTheLine.
 
-Theorem line_holds : line_theorem.
+Theorem line_theorem_holds : line_theorem.
 Proof.
   intros d mass radius r s o a c e away gap closing Q M P R D L A G C K S1 F.
   pose (z := scenes d mass r s o a c away gap closing). pose (t := time mass r o a c away gap closing).
@@ -356,7 +356,7 @@ Proof.
   assert (P : forall b, 0 < radius b) by (intros; unfold radius; lra).
   assert (D : distinct_balls B0 B1 B2) by (repeat split; discriminate).
   assert (H : forall b, share mass r B0 b = (1 + r) / 2) by (intros; unfold share, mass; field).
-  destruct (line_holds d mass radius r s B0 B1 B2 e away gap closing Q M P (proj1 R) D L A G C) as
+  destruct (line_theorem_holds d mass radius r s B0 B1 B2 e away gap closing Q M P (proj1 R) D L A G C) as
     (z & t & T & Z0 & T0 & I & LT & B & V & _).
   { rewrite H. exact K. }
   { exact S. }

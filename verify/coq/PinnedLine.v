@@ -65,7 +65,7 @@ Proof. now destruct (s n). Qed.
 Theorem line_theorem_proved : line_theorem.
 Proof.
   intros d mass radius r x v o a c e parting gap closing Q M P R D (U & A & G & C & L) (S1 & S2 & S3).
-  destruct (LineProof.line_holds d mass radius r (placed x v) o a c e parting gap closing Q M P R D
+  destruct (LineProof.line_theorem_holds d mass radius r (placed x v) o a c e parting gap closing Q M P R D
     (conj U (fun k K => match L k K with conj X (conj Y (conj Z W)) => conj X (conj Y (conj Z W)) end)) A G C S1 S3 S2)
     as (s & t & T & S0 & T0 & I & LT & B & W & E).
   exists (fun n => Theorem1.position (s n)), (fun n => Theorem1.velocity (s n)), t, T.

@@ -273,7 +273,7 @@ Check (fun d mass r i j s s' => eq_refl : Line.parts d mass r i j s s' =
       else velocity s b k) /\
     rate d s' i j = - r * rate d s i j).
 Check (fun mass r o b => eq_refl : Line.share mass r o b = (1 + r) * mass b / (mass o + mass b)).
-Check (LineProof.line_holds : Line.line_theorem).
+Check (LineProof.line_theorem_holds : Line.line_theorem).
 
 (* --- the spectrum ----------------------------------------------------------------------------------- *)
 

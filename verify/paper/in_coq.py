@@ -58,7 +58,7 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
     "line": {
         "balls-on-a-line": ("Line.parts", "Line.share"),
         "bounded-monotone": _GENERAL["bounded-monotone"],
-        "glue-line": ("LineProof.line_holds",),
+        "glue-line": ("LineProof.line_theorem_holds",),
     },
     f"{THEOREM}, the set as printed": {
         **_VECTORS,

@@ -25,7 +25,10 @@ Definition aligned (e : vector) (s : scene) (o a c : ball) (p q v w : R) : Prop 
     to s o c k = q * e k /\ relative s o c k = - w * e k.
 
 Section OneFlight.
-Variables (e : vector) (s : scene) (o a c : ball) (p q v w : R).
+Variable e : vector.
+Variable s : scene.
+Variables o a c : ball.
+Variables p q v w : R.
 Hypothesis line : aligned e s o a c p q v w.
 Lemma aligned_later t : aligned e (later t s) o a c (p + t * v) (q - t * w) v w.
 Proof.
@@ -91,7 +94,10 @@ Proof. intros (A & C & N) S X Y Z i j M. destruct o, a, c, i, j; try easy; auto.
 
 (* One collision: from contact with a to contact with c. *)
 Section OneCollision.
-Variables (e : vector) (s : scene) (o a c : ball) (gap v w : R).
+Variable e : vector.
+Variable s : scene.
+Variables o a c : ball.
+Variables gap v w : R.
 Hypothesis distinct : distinct_balls o a c.
 Hypothesis line : aligned e s o a c (radius o + radius a) (radius o + radius c + gap) v w.
 Hypothesis open : 0 < gap.
@@ -149,7 +155,10 @@ End OneCollision.
 (* --- all collisions ------------------------------------------------------------------------------- *)
 
 Section Collisions.
-Variables (e : vector) (s : scene) (o a c : ball) (away gap closing Q : R).
+Variable e : vector.
+Variable s : scene.
+Variables o a c : ball.
+Variables away gap closing Q : R.
 Hypothesis distinct : distinct_balls o a c.
 Hypothesis line : on_a_line d radius e s o a c away gap closing.
 Hypothesis away_positive : 0 < away.

@@ -9,8 +9,8 @@ import pytest
 
 from verify import check
 from verify.cli import main
-from verify.language.statement import ACCUSATIONS
 from verify.paper.commands.sections_1_to_4 import decide_elsewhere
+from verify.publication import ACCUSATIONS
 
 
 def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:

@@ -23,8 +23,8 @@ from verify.cli import main
 from verify.language.terms import cos_pi
 from verify.paper import theorem1
 from verify.prover.outcome import Outcome
+from verify.spheres.parameters import angle
 from verify.wire import write
-from verify.wire.inputs import angle
 
 FILES = ("statement.json", "certificate.json")
 ROOT = Path(__file__).resolve().parents[2]

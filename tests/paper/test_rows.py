@@ -13,16 +13,7 @@ from mpmath import mp, mpf
 
 from tests.paper.changed_page import changed_page
 from tests.points import parameters
-from verify.language.statement import (
-    BREAKS,
-    HARMLESS,
-    NEEDED,
-    OTHERWISE,
-    PRINTED,
-    PROVED,
-    REFUTED,
-    Obligation,
-)
+from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Obligation
 from verify.language.terms import cos_pi
 from verify.paper import theorem1
 from verify.paper.commands.theorem1 import decide_point
@@ -31,6 +22,7 @@ from verify.paper.rows import INSTEAD, SEVERITIES, graded
 from verify.paper.step import COLLAPSE
 from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Outcome
+from verify.publication import BREAKS, HARMLESS, OTHERWISE
 
 #: The parameters of the committed certificates.
 POINTS = {

@@ -18,7 +18,8 @@ from verify.paper.parameters import PRINTED
 from verify.paper.source import PAPER
 from verify.prover.decimals import exact_number
 from verify.prover.outcome import EXIT_CODES, conjunction
-from verify.wire.inputs import InputError, integer, interval, neg_cos, positive, restitution
+from verify.spheres.parameters import neg_cos, restitution
+from verify.wire.inputs import InputError, integer, interval, positive
 
 if TYPE_CHECKING:
     from typing import Any
@@ -64,9 +65,9 @@ def _everywhere(options: Options) -> int:
             shares = thresholds.all_shares(where)
             return view.printed_screen(outcome, where, shares, PAPER, verdicts)
         from verify.paper.commands.repaired_theorem import whole
+        from verify.paper.parameters import AS_PRINTED
         from verify.views.all_parameters import constants_and_set
         from verify.wire.judge import packaged
-        from verify.wire.packaged import AS_PRINTED
 
         as_printed = packaged(AS_PRINTED)
         return view.screen(outcome, PAPER, verdicts, as_printed, constants_and_set(whole()))

@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from verify.language.record import Record
-from verify.language.statement import BREAKS as BREAKS
-from verify.language.statement import HARMLESS as HARMLESS
-from verify.language.statement import OTHERWISE as OTHERWISE
 from verify.language.statement import PROVED, Obligation
-from verify.language.statement import REMARK as REMARK
-from verify.language.statement import SEVERITIES as SEVERITIES
-from verify.language.statement import SLIP as SLIP
+from verify.publication import BREAKS as BREAKS
+from verify.publication import HARMLESS as HARMLESS
+from verify.publication import OTHERWISE as OTHERWISE
+from verify.publication import REMARK as REMARK
+from verify.publication import SEVERITIES as SEVERITIES
+from verify.publication import SLIP as SLIP
 
 
 class Cause(Record):

@@ -11,9 +11,10 @@ from collections.abc import Iterable
 from functools import cache
 
 from verify.language.record import Record
-from verify.language.statement import Assumption, Change, Choice, Constant, Obligation
+from verify.language.statement import Assumption, Choice, Constant, Obligation
 from verify.paper.parameters import HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.rows import Cause, Remark
+from verify.publication import Change
 from verify.wire.compiled import Compiled, read_compiled
 from verify.wire.packaged import PACKAGED
 

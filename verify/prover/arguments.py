@@ -124,7 +124,7 @@ class Writing:
             elif isinstance(item, Opened):
                 self.opened(item.context, item.premises)
             elif isinstance(item, Defined):
-                self.session.constant(self.constants[item.name], rules.Define(), chapter.context)
+                self.defined(self.constants[item.name], chapter.context)
 
     def opened(self, context: Context, premises: tuple[str, ...] | None) -> None:
         """Open a context at its point."""
@@ -132,6 +132,10 @@ class Writing:
         if not self.has_numbers:
             numeric = [rules.Interval(self.point_bits) for _ in context.givens]
         self.session.open(context, numeric if premises is None else premises)
+
+    def defined(self, constant: Constant, context: str | None) -> None:
+        """Define a constant of a context."""
+        self.session.constant(constant, rules.Define(), context)
 
     def line(self, line: Line, context: str | None) -> None:
         """Write down a row, or a lemma."""

@@ -5,18 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
-from verify.language.statement import (
-    ACCUSATIONS,
-    BREAKS,
-    PROVED,
-    REFUTED,
-    UNDECIDED,
-    Obligation,
-    Publication,
-)
+from verify.language.statement import PROVED, REFUTED, UNDECIDED, Obligation
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import exact_number
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
+from verify.publication import ACCUSATIONS, BREAKS, Publication
 from verify.views import words
 from verify.views.findings import Whole
 from verify.views.row_lists import MORE, plain_letters

@@ -9,8 +9,9 @@ from itertools import groupby
 from typing import Any
 
 from verify.language.record import Record
-from verify.language.statement import PROVED, REFUTED, REPAIRED, UNDECIDED, Assumption, Publication
+from verify.language.statement import PROVED, REFUTED, UNDECIDED, Assumption
 from verify.prover.decimals import exact_number
+from verify.publication import REPAIRED, Publication
 from verify.views.all_parameters import THEOREM
 from verify.views.document import assumption_document, claims_document
 from verify.views.findings import Answer, ParameterBox, ScannedPoint

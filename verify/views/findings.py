@@ -7,9 +7,10 @@ from fractions import Fraction
 from typing import Any
 
 from verify.language.record import TYPE_CHECKING, Record
-from verify.language.statement import UNDECIDED, Constant, Publication
+from verify.language.statement import UNDECIDED, Constant
 from verify.language.terms import Claim
 from verify.prover.outcome import Ends, Outcome
+from verify.publication import Publication
 
 if TYPE_CHECKING:
     from verify.prover.balls import Ball

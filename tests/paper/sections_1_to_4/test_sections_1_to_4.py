@@ -12,19 +12,7 @@ from tests.pages import Variables, context, headings, rows
 from tests.paper.sections_1_to_4.values import holds, value, with_constants
 from verify import check
 from verify.language.argument import ByWitness, Line
-from verify.language.statement import (
-    BREAKS,
-    HARMLESS,
-    NEEDED,
-    OTHERWISE,
-    PRINTED,
-    PROVED,
-    REFUTED,
-    REMARK,
-    SEVERITIES,
-    SLIP,
-    Obligation,
-)
+from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Obligation
 from verify.language.terms import Claim, Term, as_term, names_of, substitute, substitute_claim
 from verify.paper.commands.pages import page
 from verify.paper.commands.places import places
@@ -34,6 +22,7 @@ from verify.paper.source import printed_numbers
 from verify.prover.outcome import Outcome
 from verify.prover.proof import LemmaStep, ObligationStep
 from verify.prover.rules import Sum, Witness
+from verify.publication import BREAKS, HARMLESS, OTHERWISE, REMARK, SEVERITIES, SLIP
 from verify.views.words import fair
 from verify.wire.read import read
 from verify.wire.write import write

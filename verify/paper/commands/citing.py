@@ -13,12 +13,12 @@ from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Cite
 from verify.language.terms import Claim, sqrt
 from verify.paper import step
 from verify.paper.assumptions import STEP_ASSUMPTIONS
-from verify.paper.parameters import HYPOTHESES, PRINTED, REPAIRED, r
+from verify.paper.parameters import HYPOTHESES, PRINTED, PRINTED_SET, PRINTED_SIGN, REPAIRED, r
 from verify.paper.step import BETWEEN, MEANING, STEP
 from verify.prover.outcome import Decision, Judgement, Outcome, conjunction, names_in
 from verify.prover.proof import LemmaStep, ObligationStep, Proof, Step, Value
 from verify.prover.rules import Applying, Root, Sum
-from verify.wire.packaged import PRINTED_SET, PRINTED_SIGN, packaged_files
+from verify.wire.packaged import packaged_files
 
 #: The judge of the row that the step applies: those that have judged all rows that it needs.
 BY_ROWS = "the rows that the step needs"

@@ -16,7 +16,7 @@ from verify.paper.commands import box, pages, scene, separatrix, spectrum, theor
 from verify.paper.commands.certificates import THEOREMS
 from verify.paper.parameters import ALL_PARAMETERS, REPAIRED
 from verify.prover.outcome import Outcome
-from verify.wire.inputs import are_allowed
+from verify.spheres.parameters import are_allowed
 from verify.wire.term_json import TermReader
 from verify.wire.write import write
 

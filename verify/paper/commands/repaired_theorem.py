@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from importlib.resources import files
 
-from verify.language.statement import HYPOTHESES, NEEDED, REPAIRED
+from verify.language.statement import NEEDED
 from verify.paper.commands.pages import statement
 from verify.paper.step import MEANING, STEP
 from verify.paper.theorem1 import theorem
+from verify.publication import HYPOTHESES, REPAIRED
 from verify.views.findings import Whole
 
 #: How the state at the start is written in the inequalities of the set.

@@ -5,16 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
-from verify.language.statement import (
-    NEEDED,
-    OTHERWISE,
-    PROVED,
-    REMARK,
-    Choice,
-    Constant,
-    Obligation,
-    Statement,
-)
+from verify.language.statement import NEEDED, PROVED, Choice, Constant, Obligation, Statement
 from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
 from verify.paper.commands.citing import with_step
@@ -27,6 +18,7 @@ from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.ground import Enclosures, Ground
 from verify.prover.outcome import Decision, Outcome, conjunction
 from verify.prover.session import Session
+from verify.publication import OTHERWISE, REMARK
 
 
 class PointRun:

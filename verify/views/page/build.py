@@ -11,21 +11,12 @@ from typing import Any
 
 from verify import __version__
 from verify.language.record import Record
-from verify.language.statement import (
-    BREAKS,
-    HARMLESS,
-    OTHERWISE,
-    PRINTED,
-    PROVED,
-    REFUTED,
-    REMARK,
-    REPAIRED,
-    SLIP,
-)
+from verify.language.statement import PRINTED, PROVED, REFUTED
 from verify.language.terms import Claim
 from verify.language.typeset import LONG
 from verify.prover.decimals import outward
 from verify.prover.outcome import Outcome
+from verify.publication import BREAKS, HARMLESS, OTHERWISE, REMARK, REPAIRED, SLIP
 from verify.views import all_parameters, classification, words
 from verify.views.findings import Material
 from verify.views.mathml import MathML

@@ -421,7 +421,9 @@ class _Reader:
         if kind in ("name", "number", "quoted") or word == "(":
             return f"no sign stands between {before[1]} and {word}; write {before[1]}*{word}"
         found = f"{self.next_word()}, and does not belong there"
-        if word == "," and before[0] == self.tokens[self.at + 1][0] == "number":
+        if word == "," and any(word in RELATIONS for _, word in self.tokens[self.at :]):
+            found += "; write each claim as a text of its own, in a list"
+        elif word == "," and before[0] == self.tokens[self.at + 1][0] == "number":
             found += f"; write a point: {before[1]}.{self.tokens[self.at + 1][1]}"
         return found
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-from verify.language.argument import Chapter
+from verify.language.record import TYPE_CHECKING
 from verify.language.statement import (
     NEEDED,
     PRINTED,
@@ -38,9 +38,11 @@ from verify.wire.text.infix import (
 from verify.wire.text.letters import letter_of, name_of, tex_of
 from verify.wire.text.places import Places
 from verify.wire.text.points import Points, contradiction, estimate
-from verify.wire.text.roots import isolated
 from verify.wire.text.scope import Scope
 from verify.wire.text.vectors import gram_of, products_of
+
+if TYPE_CHECKING:
+    from verify.language.argument import Chapter
 
 #: What may stand in a page, and in its tables.
 TOP = (
@@ -520,6 +522,8 @@ class Reader:
         ((written, variable),) = names.items()
         other = variable._replace(name=self.name(keys, f"{whole}.{written}"))
         self.scope.add(other.name, other.name, whole)
+        from verify.wire.text.roots import isolated  # loaded only where it is used
+
         numbers = (ends[0].value, ends[1].value)
         try:
             found = isolated(name, (variable, other), term, numbers, self.floats)

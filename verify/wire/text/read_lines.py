@@ -41,6 +41,7 @@ from verify.language.argument import (
 )
 from verify.language.statement import NEEDED, REFUTED, Always, Applies, Obligation
 from verify.language.terms import Claim, Term, names_of, substitute_claim
+from verify.prover.arguments import facts_of
 from verify.wire.inputs import nearest, shown
 from verify.wire.text.by import Facts, read_by
 from verify.wire.text.infix import read_term
@@ -88,7 +89,7 @@ class Lines:
         if not isinstance(value, list):
             raise self.places.error(["chapters"], "is no list of tables; write [[chapters]]")
         last = {self._home(entry): number for number, entry in enumerate(value)}
-        found: list[Chapter] = []
+        found = [*self._before()] if value else []
         for number, entry in enumerate(value):
             found += self._chapter(entry)
             home = self._home(entry)
@@ -98,6 +99,22 @@ class Lines:
             found += self._opened(len(self.waiting))
             found += [Chapter(home, tuple(self._left(home))) for home in self.page.contexts]
         return tuple(_joined(found))
+
+    def _before(self) -> Iterator[Chapter]:
+        """The rows that stand outside of chapters, as lines before them."""
+        for row in self.page.rows.values():
+            claim = row.claim
+            yield from self._opened_up_to(row.context)
+            yield from self._opened_up_to(None if isinstance(claim, Claim) else claim.context)
+            line = Line(row.name, claim, ToBeFound())
+            yield from self._with_constants(line, row.context)
+            self._known(line, row.context)
+
+    def _with_constants(self, line: Line, home: str | None) -> Iterator[Chapter]:
+        """A line, after the constants that it is the first to use."""
+        for constant in self._defined(line):
+            yield Chapter(self.homes[constant.name], (constant,))
+        yield Chapter(home, (line,))
 
     def _home(self, entry: object) -> str | None:
         """The context of a chapter, if it is in one."""
@@ -112,6 +129,23 @@ class Lines:
             return (self.page.around(["chapters"], table),)
         names = self.page.texts(["chapters", "in"], value)
         return [self.page.one_of(["chapters", "in"], name, [*sets]) for name in names]
+
+    def _are_here(self, keys: Keys, line: Line, home: str | None) -> None:
+        """Afterwards the facts that a line names are known where it uses them."""
+        reason = line.reason.reason if isinstance(line.reason, ByNegation) else line.reason
+        places: dict[str, str | None] = dict.fromkeys(facts_of(reason), home)
+        if isinstance(reason, ByInstance):
+            places = dict.fromkeys(reason.givens, home)
+        if isinstance(reason, ByInduction) and isinstance(line.claim, Always):
+            places = dict.fromkeys(reason.next, line.claim.context)
+            places |= dict.fromkeys(reason.start, home)
+        for name, place in places.items():
+            found = self.homes.get(name)
+            if found not in (*self.page.scope.chain(place),):
+                what = (
+                    f"{shown(name)} is a fact of {found}, and not known in {place or 'no context'}"
+                )
+                raise self.places.error([*keys, "by"], f"{what}; name another one")
 
     def _left(self, home: str | None) -> Iterator[Defined]:
         """The constants of a context that none of its lines uses."""
@@ -130,9 +164,8 @@ class Lines:
             inner = self._home_of_line(keys, row, home)
             yield from self._opened_up_to(inner)
             line = self._line(keys, self.page.full(short, inner), row, inner, table)
-            for constant in self._defined(line):
-                yield Chapter(self.homes[constant.name], (constant,))
-            yield Chapter(None if inner in self.page.sets else inner, (line,))
+            self._are_here(keys, line, inner)
+            yield from self._with_constants(line, None if inner in self.page.sets else inner)
 
     def _constants(self, chapter: Mapping[str, Any], homes: Sequence[str | None]) -> None:
         """The constants that a chapter defines, of the page or of its sets."""
@@ -168,6 +201,8 @@ class Lines:
             self.claims |= {given.name: given.claim for given in context.givens}
             self.homes |= {given.name: context.name for given in context.givens}
             premises = self.page.premises.get(context.name)
+            for name in premises or ():
+                self._fact(["contexts", context.name, "by"], name)
             yield Chapter(context.parent, (Opened(context, premises),))
         del self.waiting[:count]
 
@@ -200,6 +235,8 @@ class Lines:
             what = f"it has {' and '.join(kinds)}" if kinds else "it has no claim"
             raise self.places.error(keys, f"{what}; write one of {', '.join(KINDS)}")
         (kind, *_) = kinds
+        for key in _passed_over(table):
+            raise self.places.error([*keys, key], "it changes nothing here; leave it out")
         self.page.name(keys, name)
         claim: Claim | Applies | Always
         if kind in ("applies", "always"):
@@ -211,6 +248,7 @@ class Lines:
         reason = self._reason(keys, table, claim, home)
         line = Line(name, claim, reason)
         if kind in ("lemma", "instance"):
+            self._holds(keys, table)
             self._known(line, home)
             return line
         if "verdict" in table:
@@ -235,6 +273,13 @@ class Lines:
             for better in needed:
                 found["corrected_by"] = name.replace(home, better, 1)
         return found
+
+    def _holds(self, keys: Keys, table: Mapping[str, Any]) -> None:
+        """Afterwards a table says nothing that only rows may say."""
+        for key in ("false_at", "verdict", "role", "uses", "severity", "corrected_by"):
+            if key in table:
+                what = "a lemma is no row, and has to hold; write claim = ..., or leave it out"
+                raise self.places.error([*keys, key], what)
 
     def _negation(self, keys: Keys, verdict: object, reason: Reason) -> ByNegation:
         """The reason, for the negation of the claim."""
@@ -418,6 +463,25 @@ class Lines:
             known = [*self.claims, *self.homes]
             instead = nearest(name, known, "write names of what is given, or of earlier lines")
             raise self.places.error(keys, f"{shown(name)} is no fact known here; {instead}")
+
+
+def _passed_over(table: Mapping[str, Any]) -> Iterator[str]:
+    """The keys of a line that say how it follows, and of which its kind of proof has no use."""
+    rule, products = table.get("rule"), ("by", "using", "plus")
+    others: tuple[str, ...] = ()
+    if "false_at" in table:
+        others = (*products, "rule", "of", "side", "verdict")
+    elif any(kind in table for kind in ("applies", "always", "instance")):
+        others = ("using", "plus", "rule", "of", "side")
+    elif rule in ("root", "interval"):
+        others = (*products, "of", "side")
+    elif rule == "entry":
+        others = products
+    elif rule == "cases":
+        others = ("using", "plus", "side")
+    elif rule is None and not isinstance(table.get("by"), list):
+        others = ("of", "side")
+    yield from (key for key in others if key in table)
 
 
 def _joined(chapters: Iterable[Chapter]) -> Iterator[Chapter]:

@@ -8,7 +8,7 @@ import pytest
 
 from tests.points import parameters
 from verify.language.terms import Term, as_term, cos, cos_pi, symbol
-from verify.wire.inputs import are_allowed, is_obtuse
+from verify.spheres.parameters import are_allowed, is_obtuse
 
 HONEST = parameters("3/100", "1")
 

@@ -8,9 +8,9 @@ the statement has them; Coq compares them by conversion.
 from __future__ import annotations
 
 from verify import check
+from verify.spheres.coq.scene import about_scene
 from verify.wire.coq.readable import Readable, readable
 from verify.wire.coq.reading import NotAcceptedError, Reading
-from verify.wire.coq.scene import about_scene
 
 #: What the set is described by, in the order of ``initial_with`` in FromNumbers.v.
 DESCRIBED = (
@@ -34,12 +34,13 @@ Qed."""
 
 
 def about_balls(reading: Reading) -> list[str]:
-    """What is added to the exported file; the last lines are the theorem.
+    """What is added to the exported file; the last lines are the theorem, and what it rests on.
 
     Raises:
         NotAcceptedError: for a statement that is neither a point run nor a scene that disperses.
     """
-    return about_scene(reading) if reading.theorem == "scene" else _about_point(reading)
+    found = about_scene(reading) if reading.theorem == "scene" else _about_point(reading)
+    return [*found, "\nPrint Assumptions three_balls.\n"]
 
 
 def _about_point(reading: Reading) -> list[str]:

@@ -1,4 +1,5 @@
-"""What is made from the program and comes with it: copies of certificates, and the index of places.
+"""What is made from the program and comes with it: copies of certificates, what is compiled of the
+page of Theorem 1, and the index of places.
 
 Of each page of the paper it records the text that makes the certificate, by its digest.
 
@@ -20,6 +21,8 @@ from verify.paper.commands.pages import content as content_of
 from verify.paper.commands.pages import decide
 from verify.paper.commands.places import places
 from verify.paper.parameters import AS_PRINTED
+from verify.paper.theorem1 import COMPILED, PAGE, as_read
+from verify.wire.compiled import compiled
 from verify.wire.packaged import DIGESTS, PACKAGED, PACKAGED_FILES, PAGES
 from verify.wire.write import write
 
@@ -42,6 +45,8 @@ def files() -> Iterator[tuple[Path, bytes]]:
             raise SystemExit(f"verify/paper/{page}.toml has changed: run `verify certify` first")
         code = code.replace(old, sha256(content_of(page)).hexdigest())
     yield Path(DIGESTS), code.encode()
+    page_of_theorem = Path(PAGE).read_bytes()
+    yield Path(COMPILED), compiled(as_read(page_of_theorem), page_of_theorem).encode()
     yield Path(index.INDEX), index.text(places()).encode()
 
 

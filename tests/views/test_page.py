@@ -21,7 +21,7 @@ from verify.paper.assumptions import STEP_ASSUMPTIONS as ASSUMPTIONS
 from verify.paper.commands.report import NAMES
 from verify.publication import ACCUSATIONS
 from verify.views.page.build import joined
-from verify.views.setting import prose
+from verify.views.typesetting import prose
 
 MAIN = "theorem1-r-3-100"
 VOID = {"meta", "link", "br", "wbr", "img", "hr", "input"}

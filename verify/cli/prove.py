@@ -47,7 +47,8 @@ def run(options: Options) -> int:
     test_folder("--out", options.out, "statement.json", "certificate.json", "report.md")
     page = read_page_of(options.STATEMENT, content, cited)
     statement = _chosen(page.statement, options.rows)
-    page = page._replace(statement=statement)
+    if options.rows is not None:
+        page = page.with_rows(statement.obligations)
     if options.rows is not None and options.out is not None:
         _keep_more(options.out, statement)
     steps = Steps(len(statement.obligations))
@@ -67,7 +68,10 @@ def run(options: Options) -> int:
         print_document(decided_document(outcome))
     else:
         show(decided_lines(outcome, _publication(outcome), numbers=options.verbose), options)
-    return INTERRUPTED if budget.interrupted else outcome.exit_code
+    if budget.interrupted:
+        print("verify: interrupted", file=sys.stderr)
+        return INTERRUPTED
+    return outcome.exit_code
 
 
 def _publication(outcome: Outcome) -> Publication:
@@ -143,7 +147,8 @@ def _write(directory: str, outcome: Outcome) -> None:
         if row.name not in unwritten
     ]
     if not any(row.role == NEEDED for row in rows) or outcome.spent:
-        print("verify: no needed row is decided; no certificate was written", file=sys.stderr)
+        why = outcome.spent or "no needed row is decided"
+        print(f"verify: --out: {why}; no certificate was written", file=sys.stderr)
         return
     for row in undecided:
         if row.name not in unwritten and row.role == PRINTED:

@@ -119,7 +119,7 @@ class RowsInContexts:
         """Values for the variables of the context at which the claim is false."""
         for at in self._false_points(goal, context):
             undo = self.known.mark()
-            found = self._witness(goal, context, at)
+            found = self.witness(goal, context, at)
             if found is not None:
                 return found
             undo()
@@ -138,7 +138,7 @@ class RowsInContexts:
 
         yield from false_points(Question(goal, self.known), context)
 
-    def _witness(self, goal: Goal, context: Context, at: Mapping[str, Term]) -> Witness | None:
+    def witness(self, goal: Goal, context: Context, at: Mapping[str, Term]) -> Witness | None:
         """A proof that the givens hold at some values, and the claim does not."""
         premises = self.known.premises(context, at, context.parent)
         if premises is None:

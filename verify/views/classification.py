@@ -10,7 +10,7 @@ from verify.prover.decimals import exact_number, rational_text, short
 from verify.prover.outcome import Outcome
 from verify.publication import Publication
 from verify.views.document import claims_document, pair
-from verify.views.material import AtR
+from verify.views.findings import AtR
 from verify.views.words import summary
 
 FORMAT = "verify-classification/1"

@@ -13,7 +13,7 @@ from verify.publication import REPAIRED, Publication
 from verify.views import words
 from verify.views.enclosures import exactly, minimum_of
 from verify.views.point import in_numbers
-from verify.views.setting import apart, markdown_template
+from verify.views.typesetting import apart, markdown_template
 from verify.views.words import fair as verdict_of
 
 

@@ -29,7 +29,7 @@ from verify.prover.relations import fails, holds
 from verify.prover.rules import Interval
 from verify.prover.session import Session
 from verify.publication import REMARK
-from verify.views.material import Ratios, Roots
+from verify.views.findings import Ratios, Roots
 
 FIXED = {"V_0": as_term(1), "delta_theta": as_term(Fraction(1, 10))}
 

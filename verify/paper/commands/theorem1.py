@@ -13,7 +13,7 @@ from verify.paper.parameters import HYPOTHESES, PRINTED, SELECTIONS
 from verify.paper.rows import graded
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
-from verify.prover.choose import BudgetError, choose
+from verify.prover.choices import BudgetError, choose
 from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.ground import Enclosures, Ground
 from verify.prover.outcome import Decision, Outcome, conjunction

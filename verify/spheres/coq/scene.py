@@ -5,8 +5,9 @@ of the balls' places and velocities through it, and `verify/coq/Runs.v` makes a 
 A flight to a collision may be cut into drifts (`verify/coq/FlowDrift.v`). A scene that disperses
 ends in three pairs that never meet again; one that collapses applies the sharper theorem to the
 state that the last collision leaves (`verify/coq/FlowCollapse.v`). Which ball is which is found by
-comparing the first numbers with the scene; Coq checks that. Where what holds at the start shows
-that there are finitely many collisions, Coq decides the criterion (`verify/coq/FiniteScenes.v`).
+comparing the first numbers with the scene; Coq checks that. Where a criterion shows that there are
+finitely many collisions (`verify/coq/FiniteScenes.v`), Coq decides it at the start, and after some
+collisions takes it from the rows of the certificate.
 """
 
 from __future__ import annotations
@@ -49,17 +50,20 @@ BITS = 1 << 12
 #: What may come next on the way to a collision.
 FLIGHT = {"flow:collision", "flow:drift"}
 REASON = "it is no scene that disperses or collapses after collisions, each seen from one ball"
-#: The rows of a criterion by which finitely many collisions are possible, with its theorem and what
-#: that has to unfold.
-CRITERIA = {
+#: The rows of a criterion by which finitely many collisions are possible: how their names begin,
+#: and the rest, with its theorem and what that has to unfold.
+FINITE = "finite."
+CRITERIA: dict[tuple[str, ...], tuple[str, str]] = {
     ("restitution",): ("restitution", ""),
     ("rest", "momentum"): ("momentum", "square_spin"),
     ("far", "receding"): ("receding", "square_size total_growth"),
     ("far", "turning"): ("turning", "square_size total_growth square_spin"),
 }
-LATER = (
-    "that there are finitely many is certain only after some collisions; Coq has no theorem on that"
-)
+#: Those that may hold after some collisions and not at the start, with the rows that are used then.
+LATER: dict[tuple[str, ...], tuple[str, ...]] = {
+    ("far", "receding"): ("far", "receding"),
+    ("far", "turning"): ("turning",),
+}
 #: The collisions of a theorem in Coq happen after a time.
 AT_ONCE = "two balls touch and collide at once, which no theorem in Coq allows for"
 
@@ -90,15 +94,16 @@ def about_scene(reading: Reading) -> list[str]:
     """
     found = reading.statement.rows.values()
     rows = [Applied(row.name, row.claim) for row in found if isinstance(row.claim, check.Applies)]
-    names = tuple(row.name[7:] for row in found if row.name.startswith("finite."))
-    if names:
-        if rows or names not in CRITERIA:
-            raise NotAcceptedError(LATER if rows else REASON)
-        return [*Scene(reading, [], [], collapses=False).finite(*CRITERIA[names])]
+    names = tuple(row.name for row in found if row.name.startswith(FINITE))
+    criterion = tuple(name.removeprefix(FINITE) for name in names)
+    if names and criterion not in (LATER if rows else CRITERIA):
+        raise NotAcceptedError(REASON)
+    if names and not rows:
+        return [*Scene(reading, [], [], collapses=False).finite(*CRITERIA[criterion])]
     contexts = [row.claim.context.name for row in rows]
     collapses = contexts[-2:] == COLLAPSE
-    last = 2 if collapses else len(PAIRS)
-    steps, ends = rows[:-last], rows[-last:]
+    last = 0 if names else 2 if collapses else len(PAIRS)
+    steps, ends = rows[: len(rows) - last], rows[len(rows) - last :]
     if steps and steps[-1].kind == "flow:pairs" and not collapses:
         steps.pop()
     ordered = all(
@@ -110,7 +115,7 @@ def about_scene(reading: Reading) -> list[str]:
     ended = collapses or (len(ends) == last and {row.kind for row in ends} <= ENDS)
     if not (ordered and ended and (steps or not collapses)):
         raise NotAcceptedError(REASON)
-    return [*Scene(reading, steps, ends, collapses=collapses).told()]
+    return [*Scene(reading, steps, ends, collapses=collapses, criterion=criterion).told()]
 
 
 class Applied(NamedTuple):
@@ -146,9 +151,17 @@ class Scene:
     """A scene with its collisions, the balls from which they are seen, and its last rows."""
 
     def __init__(
-        self, reading: Reading, steps: list[Applied], ends: list[Applied], *, collapses: bool
+        self,
+        reading: Reading,
+        steps: list[Applied],
+        ends: list[Applied],
+        *,
+        collapses: bool,
+        criterion: tuple[str, ...] = (),
     ) -> None:
         self.reading, self.steps, self.ends, self.collapses = reading, steps, ends, collapses
+        self.limits = [f"{FINITE}{name}" for name in LATER.get(criterion, ())]
+        self.criterion = CRITERIA.get(criterion, ("", ""))
         self.collisions = [row for row in steps if row.kind == "flow:collision"]
         self.meetings: list[str] = []
         self.cut: list[int] = []  # the collisions with a drift before them
@@ -219,7 +232,8 @@ class Scene:
     def told(self) -> Iterator[str]:
         """All that is added."""
         names = [row.name for row in (*self.steps, *self.ends)]
-        yield from readable(self.reading, self.form, [*names, *BOUNDS * self.collapses])
+        more = [*BOUNDS * self.collapses, *self.limits]
+        yield from readable(self.reading, self.form, [*names, *more])
         yield self.head()
         yield self.scene()
         o, s, c = self.balls
@@ -242,7 +256,10 @@ class Scene:
                 self.cut += [n] * bool(flight.times)
                 flight = Way([f"{n}"], [])
                 s, c = c, s
-        yield self.collapse((o, s, c)) if self.collapses else self.last((o, s, c))
+        if self.limits:
+            yield self.finite_later(flight.seen[-1])
+        else:
+            yield self.collapse((o, s, c)) if self.collapses else self.last((o, s, c))
 
     def finite(self, criterion: str, unfolded: str) -> Iterator[str]:
         """All that is added where finitely many collisions are possible, from the start on."""
@@ -276,18 +293,44 @@ Proof.
   {proof}
 Qed."""
 
+    def finite_later(self, seen: str) -> str:
+        """A criterion for the state after the last collision, and the theorem."""
+        n, d, r = len(self.collisions), self.dimension, self.restitution()
+        theorem, unfolded = self.criterion
+        said = map(self.form.notation.name, self.limits)
+        rows = [f"pose proof ({name} the_citations_are_true); lra" for name in said]
+        names = ", ".join(f"FiniteScenes.{x}" for x in unfolded.split())
+        return f"""
+Lemma the_limit : Classification.finite {d} {r} the_scene_{n}.
+Proof.
+  eapply FiniteScenes.finite_by_{theorem}; [lra | | exact the_seen_{seen} | ..];
+    [repeat split; discriminate | ..]; unfold {names};
+    [{" | ".join(rows)}].
+Qed.
+
+(* {n} collisions; and all collisions, of every trajectory, are at finitely many times. *)
+Theorem three_balls : FiniteScenes.finite_after {d} {r} the_scene_0
+  [{"; ".join(self.meetings)}].
+Proof.
+  refine (FiniteScenes.run_finite {d} {r} _ the_scene_{n} _ the_limit the_scene_0 _); [lra |].
+  {self.run()}
+Qed."""
+
     def head(self) -> str:
         """The head of the file: the cited theorems, with their proofs."""
-        modules = ["Flow", "Sharper"] if self.collapses else ["Flow"]
-        proofs = ["exact Flow.proved", "exact (Sharper.proved SharperStep.citations)"]
+        cited = [("Flow", "exact Flow.proved")]
+        cited += [("Sharper", "exact (Sharper.proved SharperStep.citations)")] * self.collapses
+        if self.limits:
+            cited.append(("Collapsing", "exact (Collapsing.proved FlowFinite.citations)"))
         kinds = {row.kind for row in self.steps}
         more = "FlowDrift " * ("flow:drift" in kinds)
         more += "FlowCollapse " * (self.collapses or "flow:recentre" in kinds)
         more += "AnyStep Sharper SharperStep SharperCollapse" * self.collapses
+        more += "Collapsing FlowFinite Classification FiniteScenes" * bool(self.limits)
         return (
             HEAD.replace(" MODULES", f" {more}".rstrip())
-            .replace("CITED", ";\n     ".join(CITED.replace("MODULE", name) for name in modules))
-            .replace("PROOFS", " | ".join(proofs[: len(modules)]))
+            .replace("CITED", ";\n     ".join(CITED.replace("MODULE", name) for name, _ in cited))
+            .replace("PROOFS", " | ".join(proof for _, proof in cited))
         )
 
     def scene(self) -> str:

@@ -9,7 +9,7 @@ from itertools import groupby
 from verify.language.statement import PRINTED, PROVED, REFUTED
 from verify.prover.decimals import decimal_text, round_decimal
 from verify.publication import BREAKS, REPAIRED
-from verify.views.material import Margins, Ratios
+from verify.views.findings import Margins, Ratios
 from verify.views.plots import shapes
 
 TIGHTEST = 14

@@ -42,9 +42,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     """Where tests fail, and the program has changed since its certificates were made, say so."""
-    from verify.paper.commands import index
+    if not terminalreporter.stats.get("failed"):
+        return
+    from verify.paper.commands import index  # loaded only where it is used
 
-    if terminalreporter.stats.get("failed") and index.lines() is None:
+    if index.lines() is None:
         terminalreporter.write_line(
             "verify/data was made by another version of the program, which may be why tests fail: "
             "run `verify certify` and `python -m tests.bring` until nothing is written"

@@ -72,7 +72,7 @@ def test_an_undecided_row_says_what_was_too_long(monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(techniques, "SEARCHES", ())
     reason = decided(2 * x <= x**2 + 1).reason
     assert reason.startswith("neither a proof nor an example against it was found; ")
-    assert reason.endswith("most nearly false about x = 1, where the sides differ by 0")
+    assert "most nearly false about x = 1, where the sides differ by 0" in reason
 
 
 def test_each_technique_is_called_with_a_question_alone(monkeypatch: pytest.MonkeyPatch) -> None:

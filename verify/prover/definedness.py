@@ -14,7 +14,6 @@ from verify.language.record import Record
 from verify.language.statement import NEEDED, Context, Given, Obligation, Statement
 from verify.language.terms import Claim, Term, names_of, substitute_claim, symbol
 from verify.prover.clearing import has_value, inner_first
-from verify.prover.search.compiled import estimates
 from verify.prover.session import ZERO
 
 #: Whether each row of a statement is proved.
@@ -139,6 +138,8 @@ class _Completion:
 
     def _value(self, term: Term) -> float:
         """About the value of a term at the point; NaN where it is not known."""
+        from verify.prover.search.compiled import estimates  # loaded only where it is used
+
         try:
             return float(estimates([], [term], self.values)()[0])
         except (ArithmeticError, ValueError, KeyError, RecursionError):

@@ -21,15 +21,13 @@ from verify.language.statement import (
 from verify.language.terms import Claim, Term, equal, names_of, substitute, substitute_claim, symbol
 from verify.prover.budget import SpentError, WorkBudget
 from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
+from verify.prover.goal import Goal
 from verify.prover.ground import Ground
 from verify.prover.hint import Hint
 from verify.prover.lengths import MAX_BITS
 from verify.prover.outcome import Decision, Enclosure, Outcome
-from verify.prover.proof import Step
-from verify.prover.rows_in_contexts import RowsInContexts
-from verify.prover.search.relevance import facts_around
+from verify.prover.proof import Proof, Step
 from verify.prover.session import Session
-from verify.prover.techniques import find
 from verify.prover.universal import Universal
 
 NOTHING_FOUND = "neither a proof nor an example against it was found"
@@ -68,7 +66,7 @@ def prove(
         cited: statements with their proved rows, and what their names begin with here.
     """
     ground = Ground(Session(unused_prefix(statement)), start_bits, max_bits)
-    universal = Universal(ground, budget or WorkBudget(), find)
+    universal = Universal(ground, budget or WorkBudget(), _find)
     for prefix, other in cited:
         make_known(prefix, other, universal)
     missing = constants_defined(statement, universal)
@@ -240,6 +238,8 @@ def _hidden(row: Obligation, hint: Hint, universal: Universal) -> list[frozenset
         return [frozenset()]
     rows = frozenset(universal.rows).difference(hint.using)
     goal = universal.goal(row.claim, row.context) if isinstance(row.claim, Claim) else None
+    from verify.prover.search.relevance import facts_around  # loaded only where it is used
+
     facts = () if goal is None else facts_around(goal, universal)
     others = rows.union(facts).difference(hint.using)
     return [others] if hint.follows else [*dict.fromkeys((others, rows))]
@@ -315,6 +315,12 @@ def _why(error: Exception) -> str:
     return f"the search failed: {type(error).__name__}: {error!s:.200}"
 
 
+def _find(goal: Goal, known: Universal) -> Proof | None:
+    from verify.prover.techniques import find  # loaded only where it is used
+
+    return find(goal, known)
+
+
 def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
     universal.budget.spend(0)  # no row is begun when the time is over
     if isinstance(row.claim, Claim):
@@ -328,6 +334,8 @@ def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
                 if found.claimed == PROVED:
                     universal.rows.add(row.name)
                 return found
+    from verify.prover.rows_in_contexts import RowsInContexts  # loaded only where it is used
+
     return RowsInContexts(universal).decide(row)
 
 

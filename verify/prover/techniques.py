@@ -19,7 +19,7 @@ from verify.prover.universal import Universal
 #: With more variables than these a goal is not tried again with those that givens link to its own.
 MAX_LINKED = 5
 FEW_LEAVES, MANY_LEAVES = 300, 20_000
-FEW_PARTS, MANY_PARTS = 100, 2000
+FEW_PARTS = 100
 
 
 class Technique(Record):
@@ -65,7 +65,6 @@ SIMPLE = (
     Technique("range", _from("direct", "by_range")),
     Technique("monotony", _from("rising", "by_monotony")),
     Technique("equal arguments", _from("rising", "by_same_arguments")),
-    Technique("plain squares", _from("positive", "plain_squares")),
     Technique("extremum", _from("direct", "by_extremum")),
     Technique("signs", _from("signs", "by_signs")),
     Technique("coefficients", _from("bernstein_boxes", "by_coefficients")),
@@ -100,35 +99,20 @@ SEARCHES = (
     Technique(
         "coefficients on few parts", _from("bernstein_boxes", "by_bernstein", parts=FEW_PARTS)
     ),
-    Technique("coefficients in squares of variables", _from("even", "by_even_powers")),
     Technique("slopes", _from("mean_values", "by_mean_values", leaves=MANY_LEAVES)),
     Technique("arguments of functions", _from("arguments_of_functions", "by_arguments")),
     Technique("squaring", _from("squaring", "by_squaring")),
     Technique("factors", _from("factors", "by_factors")),
-    Technique("few squares", _from("positive", "few_squares")),
     Technique("entries", _from("extrema", "by_entries")),
     Technique("cases", _from("extrema", "by_cases")),
     Technique("squares", _from("positive", "squares")),
-    Technique(
-        "coefficients on many parts", _from("bernstein_boxes", "by_bernstein", parts=MANY_PARTS)
-    ),
-    Technique("parts with variables of their own", _from("subterms", "by_subterms")),
-    Technique("a large tree", _from("tree", "by_tree", leaves=MANY_LEAVES)),
 )
 
 
 #: What takes most of the work, and is tried when nothing else is left.
-LAST = (
-    Technique("sums of longer products", _from("linear", "by_products", degree=3)),
-    Technique(
-        "coefficients on very many parts",
-        _from("bernstein_boxes", "by_bernstein", parts=10 * MANY_PARTS),
-    ),
-    Technique("a very large tree", _from("tree", "by_tree", leaves=10 * MANY_LEAVES)),
-    Technique("sums of the longest products", _from("linear", "by_products", degree=4)),
-)
+LAST = (Technique("sums of longer products", _from("linear", "by_products", degree=3)),)
 #: Those of them that use equations, which estimates do not look at.
-LAST_WITH_EQUATIONS = (LAST[0], LAST[3])
+LAST_WITH_EQUATIONS = LAST
 
 
 ANYWHERE = Hint()

@@ -9,8 +9,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from verify import check
-from verify.language.argument import Chapter
 from verify.language.errors import UnreadError
+from verify.language.record import TYPE_CHECKING
 from verify.language.statement import NEEDED, PROVED, UNDECIDED, Cite, Obligation, Statement
 from verify.prover.budget import SpentError, WorkBudget
 from verify.prover.definedness import completed
@@ -22,6 +22,9 @@ from verify.wire.inputs import InputError, TooDeepError, shown
 from verify.wire.judge import judged
 from verify.wire.text import OTHERS, Page
 from verify.wire.write import certificate_file, digest, statement_file
+
+if TYPE_CHECKING:
+    from verify.language.argument import Chapter
 
 #: What the checker says where there is more than it reads.
 LIMITS = (

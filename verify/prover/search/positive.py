@@ -27,7 +27,7 @@ from verify.prover.search.question import Question
 from verify.prover.search.squares import MAX_SIZE, Summand, decompose
 from verify.prover.search.zeros import zeros_in_floats
 
-FEW_ATTEMPTS, MANY_ATTEMPTS = 4, 100
+ATTEMPTS = 100
 #: Programmes of more work than this are not tried.
 MAX_COST = 20_000_000
 #: Products of three facts are tried where there are not more facts than this.
@@ -46,29 +46,13 @@ class Attempt(Record):
     multiple: Factor | None = None
 
 
-def plain_squares(question: Question) -> Proof | None:
-    """Squares alone, for claims in which minima or maxima cancel."""
-    sides = question.goal.claim.lhs, question.goal.claim.rhs
-    if not any(side.op in ("min", "max") for side in sides) or not question.clears():
-        return None
-    domain = Domain(question.goal, {}, None, question.is_negative)
-    if any(domain.atoms[i].op in ("min", "max") for i in domain.used) or not _is_short(domain):
-        return None
-    return by_squares(domain, [], question.budget, question.using)
-
-
-def few_squares(question: Question) -> Proof | None:
-    """A few attempts, for claims with minima or maxima."""
-    return squares(question, FEW_ATTEMPTS) if question.extrema else None
-
-
-def squares(question: Question, attempts: int = MANY_ATTEMPTS) -> Proof | None:
+def squares(question: Question) -> Proof | None:
     """Squares times facts."""
     domain = Domain(question.goal, question.facts, None, question.is_negative)
     if not _is_short(domain):
         return None
     zeros = question.zeros(domain)
-    return by_squares(domain, zeros, question.budget, question.using, attempts)
+    return by_squares(domain, zeros, question.budget, question.using, ATTEMPTS)
 
 
 def _is_short(domain: Domain) -> bool:

@@ -18,7 +18,6 @@ from verify.prover.points import failure_test, refuting_point, simple_points
 from verify.prover.proof import Value
 from verify.prover.rules import Entry
 from verify.prover.search.domain import Domain
-from verify.prover.search.local_minima import Minima
 from verify.prover.session import ZERO
 from verify.prover.universal import Universal
 

@@ -123,7 +123,7 @@ class Lines:
     def _are_here(self, keys: Keys, line: Line, home: str | None) -> None:
         """Afterwards the facts that a line names are known where it uses them."""
         reason = line.reason.reason if isinstance(line.reason, ByNegation) else line.reason
-        places = dict.fromkeys(facts_of(reason), home)
+        places: dict[str, str | None] = dict.fromkeys(facts_of(reason), home)
         if isinstance(reason, ByInstance):
             places = dict.fromkeys(reason.givens, home)
         if isinstance(reason, ByInduction) and isinstance(line.claim, Always):

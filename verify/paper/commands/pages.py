@@ -65,6 +65,11 @@ def argument(name: str) -> Argument:
     return Argument(page(name).statement, page(name).chapters)
 
 
+def is_argued(name: str) -> bool:
+    """Whether a line of the page says what it follows from."""
+    return page(name).is_argued
+
+
 @cache
 def decide(name: str) -> Outcome:
     """The theorem of a page; the checker judges.
@@ -74,7 +79,7 @@ def decide(name: str) -> Outcome:
     """
     from verify.wire import questions  # loaded only where it is used
 
-    if page(name).is_argued:
+    if is_argued(name):
         with suppress(OwnError):
             found = judged(_written_down(name))
             if found.claimed != UNDECIDED:
@@ -137,4 +142,4 @@ def cite(name: str) -> Cite:
         return cite_of(found, certificate, packaged_statements(cited_digests(found)))
     from verify.wire.write import cite_of_outcome  # loaded only where it is used
 
-    return cite_of_outcome(_written_down(name) if page(name).is_argued else decide(name))
+    return cite_of_outcome(_written_down(name) if is_argued(name) else decide(name))

@@ -367,6 +367,8 @@ class Lines:
         if isinstance(claim, Applies):
             return ToBeFound() if by is None else ByApplying(self._names([*keys, "by"], by))
         if isinstance(claim, Always):
+            if by is None:
+                return ToBeFound()
             pair = by if isinstance(by, list) and len(by) == 2 else [by, by]
             start, after = (self._names([*keys, "by"], text) for text in pair)
             return ByInduction(start, after)

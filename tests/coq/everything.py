@@ -18,12 +18,12 @@ from contextlib import redirect_stdout
 from fractions import Fraction
 from io import StringIO
 from pathlib import Path
-from typing import Any
 
 from tests.coq.closing import BALLS, BUILT, ROOT, module, unread
 from verify import check
 from verify.cli import main
 from verify.paper.in_coq import CITED_IN_COQ, IN_COQ
+from verify.spheres.coq.motion import about_balls
 from verify.wire.coq.export import export
 
 #: What Theorem1.v says and Pinned.v says once more, each of them proved.
@@ -72,12 +72,18 @@ COLLAPSING = {
     "in-space": ("01 12", "120", "6277/20000 7933/25000 97079/100000 19831/20000"),
     "cut": ("01", "012", "305233/10000000 153313/5000000 486003/500000 486521/500000"),
 }
-#: The scenes with finitely many collisions, which are not all followed.
-FINITE = ("on-a-line", "spinning", "turning")
+#: The scenes with finitely many collisions, and the balls that collide before a criterion holds: no
+#: more collisions are followed.
+FINITE = {
+    "on-a-line": "", "spinning": "", "turning": "", "turning-later": "02",
+    "receding-later": "01 02 21",
+}  # fmt: skip
 #: Those whose certificates are made here; the others' are committed.
 OWN_SCENES = Path(__file__).with_name("scenes")
 #: The files of statements that are exported once more, after the flow, as `verify/coq/build` does.
-AFTER_FLOW = {"Sharper": "sharper", "AsPrinted": "printed-set"}
+AFTER_FLOW = {
+    "Sharper": "sharper", "AsPrinted": "printed-set", "Collapsing": "classification",
+}  # fmt: skip
 PARTS = ("the_nodes", "the_contexts", "the_rows", "the_citations", "the_statement")
 
 
@@ -88,28 +94,19 @@ def conjunction(prefix: str, sentences: Iterable[str] = SENTENCES) -> str:
 
 def dispersing(name: str) -> str:
     """What Coq proves of a scene, with its numbers as the file of the scene has them."""
-    return _about_scene(name, "disperses", DISPERSING[name], [])
+    return _about_scene(name, "Runs.disperses", DISPERSING[name], [])
 
 
 def collapsing(name: str) -> str:
     """The same of a scene that collapses."""
     pairs, roles, bounds = COLLAPSING[name]
     more = [f"Theorem1.B{ball}" for ball in roles]
-    return _about_scene(name, "collapses_after", pairs, [*more, *map(_number, bounds.split())])
+    return _about_scene(name, "Runs.collapses_after", pairs, [*more, *map(_number, bounds.split())])
 
 
 def finite(name: str) -> str:
     """The same of a scene with finitely many collisions."""
-    scene = tomllib.loads(scene_file(name).read_text(encoding="utf-8"))
-    r, d = _number(scene["r"]), len(scene["positions"][0])
-    says = f"FiniteScenes.finite_after {d} {r} {_scene(scene)} []"
-    file = compiled(name)
-    return f"Theorem {file} : {says}.\nProof. exact Scene_{file}.three_balls. Qed."
-
-
-def _scene(scene: dict[str, Any]) -> str:
-    places, velocities = (_coordinates(scene[key]) for key in ("positions", "velocities"))
-    return f"(Theorem1.Scene {places} {velocities})"
+    return _about_scene(name, "FiniteScenes.finite_after", FINITE[name], [])
 
 
 def _about_scene(name: str, kind: str, collisions: str, more: list[str]) -> str:
@@ -117,9 +114,10 @@ def _about_scene(name: str, kind: str, collisions: str, more: list[str]) -> str:
     pairs = [(f"Theorem1.B{i}", f"Theorem1.B{j}") for i, j in collisions.split()]
     times = "".join(f"exists t_{n}, " for n, _ in enumerate(pairs))
     meetings = "; ".join(f"({i}, {j}, t_{n})" for n, (i, j) in enumerate(pairs))
+    places, velocities = (_coordinates(scene[key]) for key in ("positions", "velocities"))
     says = " ".join(
-        (f"{times}Runs.{kind} {len(scene['positions'][0])} {_number(scene['r'])}", _scene(scene),
-         f"[{meetings}]", *more)
+        (f"{times}{kind} {len(scene['positions'][0])} {_number(scene['r'])}",
+         f"(Theorem1.Scene {places} {velocities})", f"[{meetings}]", *more)
     )  # fmt: skip
     file = compiled(name)
     proof = f"{'eexists. ' * len(pairs)}exact Scene_{file}.three_balls."
@@ -130,6 +128,11 @@ def scene_file(name: str) -> Path:
     """The file of a scene."""
     own = OWN_SCENES / f"{name}.toml"
     return own if own.exists() else ROOT / f"scenes/{name}.toml"
+
+
+def followed(name: str) -> list[str]:
+    """The options by which no more collisions of a scene are followed than have to be."""
+    return ["--collisions", str(len(FINITE[name].split()))] if name in FINITE else []
 
 
 def compiled(name: str) -> str:
@@ -184,15 +187,16 @@ def exports(directory: Path) -> Iterator[str]:
     for scene in sorted(OWN_SCENES.glob("*.toml")):
         made = directory / f"Scene_{compiled(scene.stem)}"
         with redirect_stdout(StringIO()):
-            followed = ["--collisions", "0"] * (scene.stem in FINITE)
-            if code := main(["scene", str(scene), *followed, "--out", str(made)]):
+            if code := main(["scene", str(scene), *followed(scene.stem), "--out", str(made)]):
                 raise SystemExit(f"{scene}: no certificate, exit code {code}")
         _export(made, True, made.with_suffix(".v"))
 
 
 def _export(folder: Path, balls: bool, file: Path) -> None:
     (read,) = check.read_folders([str(folder)])
-    file.write_text(export(read, balls=balls).rpartition("Print Assumptions")[0])
+    file.write_text(
+        export(read, ending=about_balls if balls else None).rpartition("Print Assumptions")[0]
+    )
 
 
 def everything(folders: list[Path]) -> str:
@@ -221,9 +225,11 @@ def everything(folders: list[Path]) -> str:
         "From Verify Require PinnedPrintedSet.",
         "Definition printed_set : PinnedPrintedSet.printed_set_theorem",
         "  := PinnedPrintedSet.printed_set_proved.",
-        "From Verify Require PinnedClassification PinnedPrintedSign PinnedSpectrum.",
+        "From Verify Require PinnedClassification PinnedPrintedSign PinnedSpectrum PinnedLine.",
         f"Definition classification : {conjunction('PinnedClassification.', COLLAPSES)}",
         "  := PinnedClassification.classification_proved.",
+        "Definition line : PinnedLine.line_theorem /\\ PinnedLine.equal_on_a_line",
+        "  := PinnedLine.line_proved.",
         "Definition printed_sign : PinnedPrintedSign.printed_sign_theorem",
         "  := PinnedPrintedSign.printed_sign_proved.",
         "Definition not_as_printed : ~ PinnedPrintedSign.as_printed",
@@ -248,7 +254,7 @@ def everything(folders: list[Path]) -> str:
     names = "".join(f", true_{name}" for name in own)
     main = f"soundness, files, theorem_1, point, angle, {', '.join(map(compiled, scenes))}"
     main += ", Pinned.collapsing_scene, printed_set, separatrix, discharged, classification"
-    main += ", printed_sign, not_as_printed, matrix, spectrum"
+    main += ", line, printed_sign, not_as_printed, matrix, spectrum"
     lines.append(f"Definition everything := ({main}{names}).")
     return "\n".join([*lines, "Print Assumptions everything.", ""])
 

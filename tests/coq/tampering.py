@@ -168,9 +168,10 @@ PRINTED = {
 PRINTED_STUB = "From Verify Require PrintedSet.\nAxioms lemma1 : PrintedSet.printed_set_theorem.\n"
 PRINTED_STUB += "Definition printed_set_theorem_holds := lemma1.\n"
 
-#: In the files that say which collapses there are, that the printed sign is wrong, and what the
-#: spectrum is, each seen by the page that pins it: hypotheses that nothing satisfies, a witness
-#: that satisfies not all of them, another order or ball, <= for <, the plane for R^d, less.
+#: In the files that say which collapses there are, what balls do on a line, that the printed sign
+#: is wrong, and what the spectrum is, each seen by the page that pins it: hypotheses that nothing
+#: satisfies, a witness that satisfies not all of them, another order or ball, <= for <, the plane
+#: for R^d, less.
 OTHERS = {
     "the-same-classification": Definition("Classification", "", ""),
     "the-same-sign": Definition("PrintedSign", "", ""),
@@ -214,6 +215,39 @@ OTHERS = {
     ),
     "collapse-later": Definition("Classification", "0 < t < T -> coll", "0 < t < T / 2 -> coll"),
     "collapse-slower": Definition("Classification", "6 <= size d s ->", "7 <= size d s ->"),
+    "the-same-line": Definition("Line", "", ""),
+    "line-of-no-Q": Definition("Line", "-> 0 < r -> distinct", "-> r < 0 -> distinct"),
+    "line-parting": Definition("Line", "rate d s' i j = - r *", "rate d s' i j <= - r *"),
+    "line-another-law": Definition(
+        "Line", "velocity s b k + J / mass j", "velocity s b k - J / mass j"
+    ),
+    "line-equal-masses": Definition(
+        "Line", "(1 + r) * mass b / (mass o + mass b)", "(1 + r) * mass b / (mass b + mass b)"
+    ),
+    "line-another-order": Definition(
+        "Line", "Nat.even n then c else a in", "Nat.even n then a else c in"
+    ),
+    "line-others-meet": Definition(
+        "Line", "radius i + radius k < distance d (later t s) i k",
+        "0 < distance d (later t s) i k",
+    ),
+    "line-overlap": Definition(
+        "Line", "a <> b -> radius a + radius b < distance", "a <> b -> 0 < distance"
+    ),
+    "line-in-the-plane": Definition(
+        "Line", "Prop :=\n  forall d mass", "Prop :=\n  let d := 2%nat in forall mass"
+    ),
+    "line-slower": Definition(
+        "Line", "share mass r o a * Q * (1 - Q) ->", "share mass r o a * Q * (1 - 2 * Q) ->"
+    ),
+    "line-time": Definition(
+        "Line", "T <= (1 - Q) / (1 - 2 * Q) *", "T <= (1 - Q) / (1 - 2 * Q) ^ 2 *"
+    ),
+    "line-angle": Definition("Line", "(scenes n) o a c = 1) /\\", "(scenes n) o a c <= 1) /\\"),
+    "line-touch": Definition(
+        "Line", "distance d at_T o a = radius o", "distance d at_T o a >= radius o"
+    ),
+    "line-equal-later": Definition("Line", "(gap / closing)) 1 0.", "(gap / closing)) 1 1."),
     "matrix-entry": Definition("Spectrum", "- 59 * r - 1) / 64", "- 59 * r + 1) / 64"),
     "matrix-order": Definition(
         "Spectrum",
@@ -238,7 +272,7 @@ OTHERS = {
     ),
     "spectrum-no-decay": Definition("Spectrum", "exists q, 0 < q < 1 /\\", "exists q, 0 < q /\\"),
 }  # fmt: skip
-#: The page that pins each of the three, and the files with proofs on which it rests, with what they
+#: The page that pins each of the four, and the files with proofs on which it rests, with what they
 #: prove: a theorem for each proposition.
 PAGES = {
     "Classification": (
@@ -252,12 +286,13 @@ PAGES = {
             "Finite": ("finite_or_endless",),
         },
     ),
+    "Line": ("PinnedLine", {"LineProof": ("line_theorem", "equal_on_a_line")}),
     "PrintedSign": ("PinnedPrintedSign", {"PrintedSignProof": ("printed_sign_theorem",)}),
     "Spectrum": ("PinnedSpectrum", {"SpectrumProof": ()}),
 }  # fmt: skip
 
-#: In the files of scenes that collapse, where each changed number and each other order is refused.
-SCENE, CUT = "Scene_nearly_aligned", "Scene_cut"
+#: In the files of scenes, where each changed number and each other order is refused.
+SCENE, CUT, LATER = "Scene_nearly_aligned", "Scene_cut", "Scene_turning_later"
 SCENES = {
     "cut-the-same": ("", ""),
     "scene-velocity": ("- (7 / 5)", "- (8 / 5)"),
@@ -276,6 +311,11 @@ SCENES = {
     "cut-time": ("the_time_1 : R := (", "the_time_1 : R := 2 * ("),
     "cut-scene": ("scene_drift_0_1 : Theorem1.scene := Theorem1.later (",
         "scene_drift_0_1 : Theorem1.scene := Theorem1.later (2 * "),
+    "later-the-same": ("", ""),
+    "later-velocity": ("- (9 / 10)", "- (8 / 10)"),
+    "later-no-collision": ("[(Theorem1.B0, Theorem1.B2, the_time_1)]", "[]"),
+    "later-another-ball": ("[(Theorem1.B0, Theorem1.B2,", "[(Theorem1.B0, Theorem1.B1,"),
+    "later-another-criterion": ("finite_by_turning", "finite_by_receding"),
 }  # fmt: skip
 
 FALSE = "Theorem proved : False. Proof. exact wrong. Qed.\n"
@@ -585,12 +625,13 @@ def another_statement(name: str, directory: Path) -> bool:
 
 def another_scene(name: str, directory: Path) -> bool:
     """Whether a scene with another number, or another order of collisions, is refused."""
-    (old, new), file = SCENES[name], CUT if name.startswith("cut") else SCENE
+    (old, new), kind = SCENES[name], name.partition("-")[0]
+    file = {"cut": CUT, "later": LATER}.get(kind, SCENE)
     text = (directory / f"{file}.v").read_text()
     if old and text.count(old) != 1:
         raise ValueError(f"{old}: {text.count(old)} times in {file}.v")
     written(directory, file, text.replace(old, new) if old else text)
-    return (coqc(directory, file).returncode == 0) == (name == "cut-the-same")
+    return (coqc(directory, file).returncode == 0) == name.endswith("the-same")
 
 
 Way = tuple[str, Callable[[str, Path], bool]]

@@ -21,6 +21,7 @@ from tests.coq.everything import (
     collapsing,
     dispersing,
     finite,
+    followed,
     scene_file,
 )
 from tests.coq.readback import Exported, Interner, Written
@@ -156,14 +157,13 @@ def scene_folder(name: str, made: Path) -> str:
     """The certificate of a scene: a committed one, or one that is made."""
     if scene_file(name).parent != OWN_SCENES:
         return str(ROOT / "certificates/scenes" / name)
-    followed = ["--collisions", "0"] * (name in FINITE)
-    assert main(["scene", str(scene_file(name)), *followed, "--out", str(made)]) == 0
+    assert main(["scene", str(scene_file(name)), *followed(name), "--out", str(made)]) == 0
     return str(made)
 
 
 @pytest.mark.parametrize(
     ("name", "criterion"),
-    [*zip(FINITE, ("restitution", "momentum", "turning"), strict=True)],
+    [*zip(FINITE, ("restitution", "momentum", "turning", "turning", "receding"), strict=True)],
 )
 def test_a_scene_with_finitely_many_collisions_ends_in_its_theorem(
     name: str, criterion: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -175,26 +175,11 @@ def test_a_scene_with_finitely_many_collisions_ends_in_its_theorem(
     assert f"finite_by_{criterion}" in text
     said = text.partition("Theorem three_balls : ")[2].partition(". Proof.")[0]
     assert said.startswith("FiniteScenes.finite_after ")
-    assert said.endswith(" the_scene_0 []")
+    pairs = enumerate(FINITE[name].split(), 1)
+    listed = "; ".join(f"(Theorem1.B{i}, Theorem1.B{j}, the_time_{n})" for n, (i, j) in pairs)
+    assert said.endswith(f" the_scene_0 [{listed}]")
     places = finite(name).partition("Theorem1.Scene ")[2].partition(") (fun")[0]
     assert f"Definition the_scene_0 : Theorem1.scene := Theorem1.Scene {places}" in text
-
-
-def test_a_criterion_that_holds_only_later_has_no_theorem(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    scene = tmp_path / "later.toml"
-    scene.write_text(
-        "r = 0.05\npositions = [[0, 0], [1.2, 0.3], [-1.3, 0.2]]\n"
-        "velocities = [[1.0, -0.9], [-0.7, 0.5], [0.9, 0.4]]\n"
-    )
-    made = tmp_path / "made"
-    assert main(["scene", str(scene), "--collisions", "2", "--out", str(made)]) == 0
-    assert capsys.readouterr().out.startswith("finite: ")
-    assert main(["export", "coq", "--balls", str(made)]) == 2
-    out, err = capsys.readouterr()
-    assert not out
-    assert "only after some collisions" in err
 
 
 @pytest.mark.parametrize("name", DISPERSING)

@@ -13,8 +13,8 @@ from tests.coq import sentences
 from tests.coq.everything import SENTENCES, conjunction, discharging
 from verify.paper.commands import pages
 from verify.paper.in_coq import CITED_IN_COQ, IN_COQ, WHOLE_IN_COQ
-from verify.wire.coq.beside import beside
 from verify.wire.coq.export import export
+from verify.wire.coq.second_citation import beside
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "verify/coq"
@@ -147,7 +147,7 @@ def test_a_statement_after_another_one_begins_as_what_it_cites_does() -> None:
 def test_everything_of_the_proof_is_compiled() -> None:
     project = (SOURCES / "_CoqProject").read_text()
     compiled = re.findall(r"^(\w+)\.v$", project, re.MULTILINE)
-    made = ["Step", "All", "Flow", "Sharper", "AsPrinted"]
+    made = ["Step", "All", "Flow", "Sharper", "AsPrinted", "Collapsing"]
     assert sorted(compiled) == sorted([*made, *(path.stem for path in SOURCES.glob("*.v"))])
 
 
@@ -191,7 +191,7 @@ def test_what_coq_proves_of_the_sentences_taken_on_trust_is_pinned() -> None:
     for name in discharging():
         file, _, theorem = name.partition(".")
         text = (SOURCES / f"{file}.v").read_text()
-        defines = file in ("Theorem1", "Separatrix", "Spectrum")
+        defines = file in ("Theorem1", "Separatrix", "Spectrum", "Line")
         kinds = "Definition|Record|Fixpoint" if defines else "Theorem|Lemma"
         assert len(re.findall(rf"^({kinds}) {theorem}\b", text, re.MULTILINE)) == 1, name
         assert pinned(name), name
@@ -320,6 +320,49 @@ SAID = {
         "forall d r x v, 0 < r < 1 -> finite d r x v \\/ exists places",
         "Print Assumptions classification_proved.",
     ),
+    "PinnedLine": (
+        (
+            "forall d mass radius r x v o a c e parting gap closing Q, (forall b, 0 < mass b) "
+            "-> (forall b, 0 < radius b) -> 0 < r -> (a <> o /\\ c <> o /\\ a <> c) -> line d "
+            "radius e x v o a c parting gap closing -> slow mass r o a c parting closing Q -> "
+            "exists places velocities time T, turns d mass radius r x v o a c places velocities "
+            "time /\\ Un_cv time T /\\ T <= (1 - Q) / (1 - 2 * Q) * (gap / closing) /\\ (forall "
+            "n, minus_cosine_at d (places n) o a c = 1) /\\ (r < 1 -> exists at_T, settles d "
+            "places at_T /\\ distance d at_T o a = radius o + radius a /\\ distance d at_T o c "
+            "= radius o + radius c /\\ minus_cosine_at d at_T o a c = 1)."
+        ),
+        (
+            "0 < t /\\ (forall u a b, 0 < u < t -> a <> b -> radius a + radius b < distance d "
+            "(moved u x v) a b) /\\ distance d (moved t x v) i j = radius i + radius j /\\ rate "
+            "d (moved t x v) v i j < 0 /\\ (forall k, k <> i -> k <> j -> radius i + radius k < "
+            "distance d (moved t x v) i k /\\ radius j + radius k < distance d (moved t x v) j "
+            "k)."
+        ),
+        (
+            "exists J, (forall k, w i k = v i k - J / mass i * from_to x i j k) /\\ (forall k, "
+            "w j k = v j k + J / mass j * from_to x i j k) /\\ (forall b k, b <> i -> b <> j -> "
+            "w b k = v b k) /\\ rate d x w i j = - r * rate d x v i j."
+        ),
+        (
+            "forall n, let b := if Nat.even n then c else a in let t := time (S n) - time n in "
+            "meet_first d radius (places n) (velocities n) o b t /\\ places (S n) = moved t "
+            "(places n) (velocities n) /\\ part d mass r (places (S n)) (velocities n) o b "
+            "(velocities (S n))."
+        ),
+        (
+            "dot d e e = 1 /\\ 0 < parting /\\ 0 < gap /\\ 0 < closing /\\ forall k, (k < "
+            "d)%nat -> from_to x o a k = - (radius o + radius a) * e k /\\ from_to v o a k = - "
+            "parting * e k /\\ from_to x o c k = (radius o + radius c + gap) * e k /\\ from_to "
+            "v o c k = - closing * e k."
+        ),
+        (
+            "let b := (1 + r) * mass c / (mass o + mass c) in let b' := (1 + r) * mass a / "
+            "(mass o + mass a) in parting <= Q * b * closing /\\ r <= b * b' * Q * (1 - Q) /\\ "
+            "2 * Q < 1."
+        ),
+        "collapse d r x v ((1 - Q) / (1 - 2 * Q) * (gap / closing)) 1 0.",
+        "Print Assumptions line_proved.",
+    ),
     "PinnedSpectrum": (
         (
             "forall d r x v w u e f, triangle d x -> triple d r x v w -> coordinates d 1 x v u e "
@@ -366,6 +409,15 @@ WEAKER = (
     ("PinnedClassification", "7 - 4 * sqrt 3 < r \\/", "1 < r \\/"),
     ("PinnedClassification", "6 <= size d x \\/", "7 <= size d x \\/"),
     ("PinnedClassification", "0 <= rate d x w i j <=", "0 < rate d x w i j <="),
+    ("PinnedLine", "2 * Q < 1.", "2 * Q < 0."),
+    ("PinnedLine", "0 < gap /\\ 0 < closing", "0 < gap /\\ closing < 0"),
+    ("PinnedLine", "rate d x w i j = - r *", "rate d x w i j >= - r *"),
+    ("PinnedLine", "Nat.even n then c else a", "Nat.even n then a else c"),
+    ("PinnedLine", "b * b' * Q", "b * b * Q"),
+    ("PinnedLine", "(k < d)%nat", "(k < 2)%nat"),
+    ("PinnedLine", "T <= (1 - Q)", "T <= 2 * (1 - Q)"),
+    ("PinnedLine", "rate d (moved t x v) v i j < 0", "rate d (moved t x v) v i j <= 0"),
+    ("PinnedLine", "(gap / closing)) 1 0.", "(gap / closing)) 1 2."),
     ("PinnedSpectrum", "0 < im /\\", "0 <= im /\\"),
     ("PinnedSpectrum", "re ^ 2 + im ^ 2 < 1 /\\", "re ^ 2 + im ^ 2 <= 1 /\\"),
     ("PinnedSpectrum", "eigenvector r mu nu u v) <->", "eigenvector r mu nu u v) ->"),

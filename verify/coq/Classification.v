@@ -82,32 +82,32 @@ Definition stops (d : nat) (scenes : nat -> scene) : Prop :=
 
 (* II and II b. *)
 Definition least_angle : Prop :=
-  forall d r s scenes time i j, 0 < r < 1 -> endless d r s scenes time i j ->
+  forall d r s scenes time i j, 0 < r <= 1 -> endless d r s scenes time i j ->
   exists at_T o a c N, settles d scenes at_T /\ distinct_balls o a c /\ in_turn_from N i j o a c /\
     distance d at_T o a = 1 /\ distance d at_T o c = 1 /\
     4 * sqrt r / (1 + r) <= minus_cosine_at d at_T o a c <= 1 /\
     (2 * cube_root r * (1 + cube_root r) / (1 + r) <= minus_cosine_at d at_T o a c \/
       stops d scenes).
 Definition never : Prop :=
-  forall d r s scenes time i j, 7 - 4 * sqrt 3 < r < 1 -> ~ endless d r s scenes time i j.
+  forall d r s scenes time i j, 7 - 4 * sqrt 3 < r <= 1 -> ~ endless d r s scenes time i j.
 (* III. The speed at which a pair meets is the momentum exchanged, divided by (1+r)/2. *)
 Definition bounded_impulse : Prop :=
-  forall d r s scenes time i j, 0 < r < 1 -> endless d r s scenes time i j ->
+  forall d r s scenes time i j, 0 < r <= 1 -> endless d r s scenes time i j ->
   exists bound, forall n,
     sum_f_R0 (fun m => - rate d (later (time (S m) - time m) (scenes m)) (i m) (j m)) n <= bound.
 (* IV and IV b. *)
 Definition no_spin : Prop :=
-  forall d r s scenes time i j, 0 < r < 1 -> endless d r s scenes time i j -> 0 < spin2 d s ->
+  forall d r s scenes time i j, 0 < r <= 1 -> endless d r s scenes time i j -> 0 < spin2 d s ->
   exists T, Un_cv time T.
 Definition never_with_spin : Prop :=
-  forall d r s scenes time i j, 9 - 4 * sqrt 5 < r < 1 -> 0 < spin2 d s -> ~ endless d r s scenes time i j.
+  forall d r s scenes time i j, 9 - 4 * sqrt 5 < r <= 1 -> 0 < spin2 d s -> ~ endless d r s scenes time i j.
 (* If the balls do not come nearer to their centre of mass, and are as far from it as on a line in
    contact; or if their angular momentum keeps them as far from it. *)
 Definition never_outward : Prop :=
-  forall d r s scenes time i j, 0 < r < 1 -> 0 <= growth d s -> 6 <= size d s ->
+  forall d r s scenes time i j, 0 < r <= 1 -> 0 <= growth d s -> 6 <= size d s ->
   ~ endless d r s scenes time i j.
 Definition never_turning : Prop :=
-  forall d r s scenes time i j, 0 < r < 1 -> growth d s ^ 2 * size d s < (size d s - 6) * spin2 d s ->
+  forall d r s scenes time i j, 0 < r <= 1 -> growth d s ^ 2 * size d s < (size d s - 6) * spin2 d s ->
   ~ endless d r s scenes time i j.
 
 (* --- trajectories with finitely many collisions -------------------------------------------------- *)
@@ -122,4 +122,4 @@ Definition finite (d : nat) (r : R) (s : scene) : Prop :=
   forall t, 0 < t < T -> collision_at d Z t -> In t times.
 (* If not, then there are collisions without end. *)
 Definition finite_or_endless : Prop :=
-  forall d r s, 0 < r < 1 -> finite d r s \/ exists scenes time i j, endless d r s scenes time i j.
+  forall d r s, 0 < r <= 1 -> finite d r s \/ exists scenes time i j, endless d r s scenes time i j.

@@ -42,7 +42,7 @@ Variable first : scene.
 Variable scenes : nat -> scene.
 Variable time : nat -> R.
 Variables i j : nat -> ball.
-Hypothesis restitutes : 0 < r < 1.
+Hypothesis restitutes : 0 < r <= 1.
 Hypothesis run : endless d r first scenes time i j.
 
 Section Settled.
@@ -269,13 +269,13 @@ End FromEndless.
 
 Theorem least_angle_holds : least_angle.
 Proof. intros d r s scenes time i j R E. exact (angle_in_the_end d r s scenes time i j R E). Qed.
-Lemma above_1 r : 7 - 4 * sqrt 3 < r < 1 -> 0 < r /\ 1 < 4 * sqrt r / (1 + r).
+Lemma above_1 r : 7 - 4 * sqrt 3 < r <= 1 -> 0 < r /\ 1 < 4 * sqrt r / (1 + r).
 Proof.
   intros R. assert (S3 : sqrt 3 * sqrt 3 = 3) by (apply sqrt_sqrt; lra). pose proof (sqrt_pos 3).
   assert (T : sqrt 3 < 7 / 4) by nra. assert (R0 : 0 < r) by lra. split; [exact R0|].
   assert (SS : sqrt r * sqrt r = r) by (apply sqrt_sqrt; lra).
   pose proof (sqrt_lt_R0 r R0) as S. set (x := sqrt r) in *. set (y := sqrt 3) in *.
-  assert (X1 : x < 1) by nra. assert (X : 2 - y < x) by nra.
+  assert (X1 : x <= 1) by nra. assert (X : 2 - y < x) by nra.
   apply Rmult_lt_reg_r with (1 + r); [lra|].
   replace (4 * x / (1 + r) * (1 + r)) with (4 * x) by (field; lra). nra.
 Qed.
@@ -293,11 +293,12 @@ Proof.
   pose proof (no_spin_at_rest d r s scenes time i j R E
     (velocities_vanish d r s scenes time i j R E N)). lra.
 Qed.
-Lemma above_1_too r : 9 - 4 * sqrt 5 < r < 1 -> 0 < r /\ 1 < 2 * cube_root r * (1 + cube_root r) / (1 + r).
+Lemma above_1_too r : 9 - 4 * sqrt 5 < r <= 1 -> 0 < r /\ 1 < 2 * cube_root r * (1 + cube_root r) / (1 + r).
 Proof.
   intros R. assert (S5 : sqrt 5 * sqrt 5 = 5) by (apply sqrt_sqrt; lra). pose proof (sqrt_pos 5).
   assert (T : sqrt 5 < 9 / 4) by nra. assert (R0 : 0 < r) by lra. split; [exact R0|].
-  pose proof (cube_of_root r R0) as C. pose proof (root_below_1 r ltac:(lra)) as S. set (x := cube_root r) in *.
+  pose proof (cube_of_root r R0) as C. pose proof (cube_root_positive r) as S. set (x := cube_root r) in *.
+  assert (S1 : x <= 1) by nra.
   apply Rmult_lt_reg_r with (1 + r); [lra|].
   replace (2 * x * (1 + x) / (1 + r) * (1 + r)) with (2 * x * (1 + x)) by (field; lra).
   apply Rnot_le_lt. intros L. rewrite <- C in L at 1. set (y := sqrt 5) in *.

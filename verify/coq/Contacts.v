@@ -138,7 +138,7 @@ Qed.
 End Hit.
 
 (* Equal balls with one coefficient of restitution. *)
-Lemma collided_hits d r i j s : 0 < r < 1 -> i <> j -> distance d s i j = 1 -> rate d s i j < 0 ->
+Lemma collided_hits d r i j s : 0 < r <= 1 -> i <> j -> distance d s i j = 1 -> rate d s i j < 0 ->
   hits d (fun _ => 1) i j s (collided d r i j s).
 Proof.
   intros Q N C P. exists (- ((1 + r) / 2 * rate d s i j)).

@@ -12,7 +12,7 @@ Variable first : scene.
 Variable scenes : nat -> scene.
 Variable time : nat -> R.
 Variables i j : nat -> ball.
-Hypothesis restitutes : 0 < r < 1.
+Hypothesis restitutes : 0 < r <= 1.
 Hypothesis run : endless d r first scenes time i j.
 
 Let tau n := time (S n) - time n.
@@ -62,7 +62,7 @@ Lemma motion2_next n : motion2 d (scenes (S n)) <= motion2 d (scenes n).
 Proof.
   destruct (facts n) as (N & _ & C & _ & _ & ->). rewrite motion2_collided by assumption.
   unfold arriving at 1. rewrite motion2_later.
-  assert (0 < (1 - r) * (1 + r)) by (apply Rmult_lt_0_compat; lra).
+  assert (0 <= (1 - r) * (1 + r)) by (apply Rmult_le_pos; lra).
   assert (0 <= 3 / 2 * (1 - r * r) * (rate d (arriving n) (i n) (j n) * rate d (arriving n) (i n) (j n))).
   { apply Rmult_le_pos; [lra | apply Rle_0_sqr]. }
   lra.

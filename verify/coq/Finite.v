@@ -36,7 +36,7 @@ Variable r : R.
 Variable s : scene.
 Variable T : R.
 Variable Z : R -> scene.
-Hypothesis restitutes : 0 < r < 1.
+Hypothesis restitutes : 0 < r <= 1.
 Hypothesis goes : trajectory d r s T Z.
 
 Lemma same_arriving t e e' a a' : 0 < e -> 0 < e' -> (forall u, 0 < u < e -> Z (t - u) = later (- u) a) ->
@@ -177,7 +177,7 @@ Section AllTrajectories.
 Variable d : nat.
 Variable r : R.
 Variable s : scene.
-Hypothesis restitutes : 0 < r < 1.
+Hypothesis restitutes : 0 < r <= 1.
 Hypothesis endlessly : ~ finite d r s.
 
 Definition happens (t : R) : Prop := exists T Z, trajectory d r s T Z /\ 0 < t < T /\ collision_at d Z t.

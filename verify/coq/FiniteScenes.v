@@ -11,13 +11,13 @@ Open Scope R_scope.
 Definition finite_after (d : nat) (r : R) (s : scene) (l : list meeting) : Prop :=
   (exists z, run d r s l z) /\ finite d r s.
 
-Lemma never_finite d r s : 0 < r < 1 -> (forall scenes time i j, ~ endless d r s scenes time i j) -> finite d r s.
+Lemma never_finite d r s : 0 < r <= 1 -> (forall scenes time i j, ~ endless d r s scenes time i j) -> finite d r s.
 Proof.
   intros R N. destruct (finite_or_endless_holds d r s R) as [F|(scenes & time & i & j & E)]; [exact F|].
   now destruct (N scenes time i j).
 Qed.
 (* One collision more before them. *)
-Lemma one_before d r s i j u : 0 < r < 1 -> i <> j -> first_to_meet d s i j u ->
+Lemma one_before d r s i j u : 0 < r <= 1 -> i <> j -> first_to_meet d s i j u ->
   finite d r (collided d r i j (later u s)) -> finite d r s.
 Proof.
   intros R N M (times & F). set (z := collided d r i j (later u s)) in *.
@@ -53,7 +53,7 @@ Proof.
     split; [apply Rmin_glb_lt; lra|]. split; [|exact C3]. intros y Y.
     replace (u + (t - u - y)) with (t - y) by ring. apply C2. lra.
 Qed.
-Theorem run_finite d r l z : 0 < r < 1 -> finite d r z -> forall s, run d r s l z -> finite_after d r s l.
+Theorem run_finite d r l z : 0 < r <= 1 -> finite d r z -> forall s, run d r s l z -> finite_after d r s l.
 Proof.
   intros R F s U. split; [now exists z|]. revert s U. induction l as [|[[i j] u] l IH]; cbn [run]; intros s U.
   - now subst z.
@@ -62,20 +62,24 @@ Qed.
 
 (* --- the criteria --------------------------------------------------------------------------------- *)
 
-Lemma above_7 r : 0 < r < 1 -> r ^ 2 - 14 * r + 1 < 0 -> 7 - 4 * sqrt 3 < r.
+Lemma above_7 r : 0 < r <= 1 -> r ^ 2 - 14 * r + 1 < 0 -> 7 - 4 * sqrt 3 < r.
 Proof.
   intros R H. pose proof (sqrt_sqrt 3 ltac:(lra)) as S. pose proof (sqrt_pos 3) as P. apply Rnot_le_lt. intros L.
   assert (0 <= (7 - 4 * sqrt 3 - r) * (7 + 4 * sqrt 3 - r)) by (apply Rmult_le_pos; lra). lra.
 Qed.
-Lemma above_9 r : 0 < r < 1 -> r ^ 2 - 18 * r + 1 < 0 -> 9 - 4 * sqrt 5 < r.
+Lemma above_9 r : 0 < r <= 1 -> r ^ 2 - 18 * r + 1 < 0 -> 9 - 4 * sqrt 5 < r.
 Proof.
   intros R H. pose proof (sqrt_sqrt 5 ltac:(lra)) as S. pose proof (sqrt_pos 5) as P. apply Rnot_le_lt. intros L.
   assert (0 <= (9 - 4 * sqrt 5 - r) * (9 + 4 * sqrt 5 - r)) by (apply Rmult_le_pos; lra). lra.
 Qed.
-Theorem finite_by_restitution d r s : 0 < r < 1 -> r ^ 2 - 14 * r + 1 < 0 -> finite d r s.
+Theorem finite_by_restitution d r s : 0 < r <= 1 -> r ^ 2 - 14 * r + 1 < 0 -> finite d r s.
 Proof.
   intros R H. apply never_finite; [exact R|]. intros scenes time i j. apply never_holds.
   pose proof (above_7 r R H). lra.
+Qed.
+Theorem finite_outward d r s : 0 < r <= 1 -> 0 <= growth d s -> 6 <= size d s -> finite d r s.
+Proof.
+  intros R A Z. apply never_finite; [exact R|]. intros scenes time i j. now apply never_outward_holds.
 Qed.
 
 (* R^2, A and L^2 of the frame of the centre of mass, by the numbers of a state. *)
@@ -85,7 +89,7 @@ Variable r : R.
 Variable x : scene.
 Variables o s c : ball.
 Variables v lam rho eps sig A B C a b w : R.
-Hypothesis restitutes : 0 < r < 1.
+Hypothesis restitutes : 0 < r <= 1.
 Hypothesis distinct : s <> o /\ c <> o /\ s <> c.
 Hypothesis seen : gram d x o s c v lam rho eps sig A B C a b w.
 Definition square_size : R := 1 + (eps * v ^ 2 + sig * v ^ 2 + (1 + (eps + sig) * v ^ 2 + 2 * C)) / 3.
@@ -147,7 +151,7 @@ Proof.
 Qed.
 Theorem finite_by_receding : 2 <= square_size -> 0 <= total_growth -> finite d r x.
 Proof.
-  intros H P. apply never_finite; [exact restitutes|]. intros scenes time i j. apply never_outward_holds; [exact restitutes | |].
+  intros H P. apply finite_outward; [exact restitutes | |].
   - rewrite growth_seen. lra.
   - rewrite size_seen. lra.
 Qed.

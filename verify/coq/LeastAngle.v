@@ -52,7 +52,7 @@ Variables o a c : ball.
 Definition partner (n : nat) : ball := if Nat.even n then c else a.
 Definition spectator (n : nat) : ball := if Nat.even n then a else c.
 Let arriving n := later (tau n) (scenes n).
-Hypothesis restitutes : 0 < r < 1.
+Hypothesis restitutes : 0 < r <= 1.
 Hypothesis distinct : distinct_balls o a c.
 Hypothesis run : forall n, 0 < tau n /\ distance d (arriving n) o (partner n) = 1 /\
   rate d (arriving n) o (partner n) < 0 /\ 1 <= distance d (arriving n) o (spectator n) /\
@@ -359,10 +359,10 @@ Proof.
   destruct (Rle_lt_dec (2 * (s + s * s) / (1 + r)) C0) as [K|K]; [left; exact K | right].
   apply below_threshold in K. rename K into B.
   assert (ss : 0 < s * s) by (apply Rmult_lt_0_compat; lra).
-  assert (s1 : s < 1).
-  { destruct (Rlt_le_dec s 1) as [W|W]; [exact W|].
-    assert (1 * 1 <= s * s) by (apply Rmult_le_compat; lra).
-    assert (1 * 1 <= s * s * s) by (apply Rmult_le_compat; lra). lra. }
+  assert (s1 : s <= 1).
+  { destruct (Rle_lt_dec s 1) as [W|W]; [exact W|].
+    assert (1 * 1 < s * s) by (apply Rmult_le_0_lt_compat; lra).
+    assert (1 * 1 < s * s * s) by (apply Rmult_le_0_lt_compat; lra). lra. }
   set (gap := s + s * s - (1 + r) / 2 * C0). assert (G : 0 < gap) by (unfold gap; lra).
   set (t := Rmax (s / 2) (s - gap / 6)).
   assert (T1 : s / 2 <= t) by apply Rmax_l. assert (T2 : s - gap / 6 <= t) by apply Rmax_r.

@@ -61,7 +61,7 @@ Definition minus_cosine_at d x o a c : R :=
   - (dot d (from_to x o a) (from_to x o c) / (distance d x o a * distance d x o c)).
 (* II and II b; all relative velocities tend to 0 if the second alternative holds. *)
 Definition least_angle : Prop :=
-  forall d r x v places velocities time i j, 0 < r < 1 ->
+  forall d r x v places velocities time i j, 0 < r <= 1 ->
   endless d r x v places velocities time i j ->
   exists at_T o a c N, settles d places at_T /\ in_turn_from N i j o a c /\
     distance d at_T o a = 1 /\ distance d at_T o c = 1 /\
@@ -70,7 +70,7 @@ Definition least_angle : Prop :=
       forall a b k, (k < d)%nat -> Un_cv (fun n => from_to (velocities n) a b k) 0).
 (* III. *)
 Definition bounded_impulse : Prop :=
-  forall d r x v places velocities time i j, 0 < r < 1 ->
+  forall d r x v places velocities time i j, 0 < r <= 1 ->
   endless d r x v places velocities time i j ->
   exists bound, forall n,
     sum_f_R0 (fun m => - rate d (places (S m)) (velocities m) (i m) (j m)) n <= bound.
@@ -85,7 +85,7 @@ Definition size d x : R := distance d x B0 B1 ^ 2 + distance d x B0 B2 ^ 2 + dis
 Definition growth d x v : R := rate d x v B0 B1 + rate d x v B0 B2 + rate d x v B1 B2.
 (* IV. *)
 Definition no_spin : Prop :=
-  forall d r x v places velocities time i j, 0 < r < 1 ->
+  forall d r x v places velocities time i j, 0 < r <= 1 ->
   endless d r x v places velocities time i j -> 0 < spin2 d x v -> exists T, Un_cv time T.
 
 (* --- trajectories with finitely many collisions ------------------------------------------------- *)
@@ -99,9 +99,9 @@ Definition finite d r x v : Prop :=
   exists times : list R, forall T X V, trajectory d r x v T X V ->
   forall t, 0 < t < T -> collision_at d X V t -> In t times.
 Definition finite_or_endless : Prop :=
-  forall d r x v, 0 < r < 1 -> finite d r x v \/
+  forall d r x v, 0 < r <= 1 -> finite d r x v \/
     exists places velocities time i j, endless d r x v places velocities time i j.
-Definition finite_if : Prop := forall d r x v, 0 < r < 1 ->
+Definition finite_if : Prop := forall d r x v, 0 < r <= 1 ->
   7 - 4 * sqrt 3 < r \/ 9 - 4 * sqrt 5 < r /\ 0 < spin2 d x v \/
   0 <= growth d x v /\ 6 <= size d x \/
   growth d x v ^ 2 * size d x < (size d x - 6) * spin2 d x v ->

@@ -31,7 +31,8 @@ Qed.
 Theorem least_final_angle d r s c tolerance : 0 < r < 1 -> nearly_linear d r s c tolerance ->
   4 * sqrt r / (1 + r) <= c + tolerance.
 Proof.
-  intros R (scenes & time & i & j & T & at_T & a & b & N & E & _ & D & W & S & A).
+  intros R0 (scenes & time & i & j & T & at_T & a & b & N & E & _ & D & W & S & A).
+  assert (R : 0 < r <= 1) by lra.
   destruct (ends_touching d r s scenes time i j R E at_T B0 a b N S W) as (T1 & T2).
   pose proof (least d r s scenes time i j R E at_T S B0 a b N D W T1 T2) as L.
   assert (M : minus_cosine_at d at_T B0 a b = minus_cosine d at_T).

@@ -9,7 +9,8 @@ Import ListNotations.
 From Verify Require Vectors Sequences Ending Steady OneStep Trajectory OneScene Interior InTurn Gram.
 From Verify Require Meaning Step Collapse FromNumbers Runs Sharper AnyStep SharperStep SharperCollapse.
 From Verify Require PrintedSet PrintedProof Classification Contacts Settling Endless Turning.
-From Verify Require ClassificationProof PrintedSign PrintedSignProof.
+From Verify Require ClassificationProof PrintedSign PrintedSignProof Line LineProof.
+From Verify Require Calculus ManyBalls Deadline Finite FiniteScenes.
 From Verify Require Spectrum SpectrumMatrix SpectrumRoots SpectrumEigen SpectrumOrbits SpectrumSentences.
 Open Scope R_scope.
 Definition B1 : ball := Theorem1.B1.
@@ -45,6 +46,27 @@ Check (Sequences.bounded_increasing_converges : forall u b,
   (forall n, u n <= u (S n)) -> (forall n, u n <= b) -> exists l, Un_cv u l).
 Check (Sequences.bounded_decreasing_converges : forall u b,
   (forall n, u (S n) <= u n) -> (forall n, b <= u n) -> exists l, Un_cv u l).
+
+(* the same for tuples of vectors with masses; and that lengths add *)
+Check (fun d m x z n => eq_refl : Calculus.mixed d m x z n = sum_f_R0 (fun i => m i * dot d (x i) (z i)) n).
+Check (Calculus.tuples_bounded : forall d m x z n, (forall i, 0 < m i) ->
+  Calculus.mixed d m x z n ^ 2 <= Calculus.mixed d m x x n * Calculus.mixed d m z z n).
+Check (Calculus.lengths_add : forall d u v, sqrt (dot d (Vectors.combined 1 u 1 v) (Vectors.combined 1 u 1 v)) <=
+  sqrt (dot d u u) + sqrt (dot d v v)).
+(* bounded-monotone: series of vectors, and sums in another order *)
+Check (Calculus.vectors_summable : forall d (u : nat -> vector) b,
+  (forall n, sum_f_R0 (fun m => sqrt (dot d (u m) (u m))) n <= b) ->
+  forall k, (k < d)%nat -> exists l, Un_cv (fun n => sum_f_R0 (fun m => u m k) n) l).
+Check (Calculus.any_order : forall u p q l, (forall n, 0 <= u n) ->
+  (forall n, q (p n) = n) -> (forall n, p (q n) = n) ->
+  Un_cv (fun n => sum_f_R0 u n) l -> Un_cv (fun n => sum_f_R0 (fun m => u (p m)) n) l).
+(* monotone *)
+Check (Calculus.falls_and_rises : forall a b f f' f'', a < b ->
+  (forall x, a <= x <= b -> derivable_pt_lim f x (f' x)) ->
+  (forall x, a <= x <= b -> derivable_pt_lim f' x (f'' x)) ->
+  (forall x, a <= x <= b -> 0 < f'' x) -> f' a < 0 -> 0 < f' b ->
+  exists c, a < c < b /\ f' c = 0 /\ (forall x y, a <= x < y -> y <= c -> f y < f x) /\
+    (forall x y, c <= x < y -> y <= b -> f x < f y)).
 
 (* open-condition: a function is steady at a scene if it is continuous there. *)
 Check (fun d s P => eq_refl :
@@ -258,9 +280,88 @@ Check (Turning.spin_bounded : forall d s,
 Check (Settling.settles_in_time : forall d mass radius scenes time i j T, (forall b, 0 < mass b) ->
   Classification.strikes d mass radius scenes time i j -> Un_cv time T ->
   exists z, Classification.settles d scenes z).
-Check (Endless.settles_late : forall d r first scenes time i j, 0 < r < 1 ->
+Check (Endless.settles_late : forall d r first scenes time i j, 0 < r <= 1 ->
   Classification.endless d r first scenes time i j -> ~ (exists T, Un_cv time T) ->
   exists z, Classification.settles d scenes z).
+
+(* glue-lemma, for bodies of any number and masses: a state is just after a collision, some of which may be
+   at the same time. *)
+Check (fun body x v w i j d mass => eq_refl : ManyBalls.struck body d mass x v i j w =
+  (i <> j /\ ManyBalls.opening body d x v i j < 0 /\
+   0 <= ManyBalls.opening body d x w i j <= - ManyBalls.opening body d x v i j /\ exists J, 0 <= J /\
+    (forall k, w i k = v i k - J / mass i * (x j k - x i k)) /\
+    (forall k, w j k = v j k + J / mass j * (x j k - x i k)) /\
+    (forall b, b <> i -> b <> j -> w b = v b))).
+Check (fun body d x v a b => eq_refl : ManyBalls.opening body d x v a b =
+  dot d (fun k => x b k - x a k) (fun k => v b k - v a k)).
+Check (fun body d mass x v t i j => eq_refl : ManyBalls.history body d mass x v t i j =
+  forall n, 0 <= t n /\ x (S n) = (fun b k => x n b k + t n * v n b k) /\
+    ManyBalls.struck body d mass (x (S n)) (v n) (i n) (j n) (v (S n))).
+Check (fun body d x i j a b n => eq_refl : ManyBalls.hit_from_behind body d x i j a b n =
+  forall c, c <> a -> c <> b ->
+    (i n = a /\ j n = c \/ i n = c /\ j n = a ->
+      0 <= dot d (fun k => x (S n) b k - x (S n) a k) (fun k => x (S n) c k - x (S n) a k)) /\
+    (i n = b /\ j n = c \/ i n = c /\ j n = b ->
+      0 <= dot d (fun k => x (S n) a k - x (S n) b k) (fun k => x (S n) c k - x (S n) b k))).
+Check (fun body d x a b => eq_refl : ManyBalls.apart2 body d x a b =
+  dot d (fun k => x b k - x a k) (fun k => x b k - x a k)).
+Check (fun body i j a b => eq_refl : ManyBalls.is_pair body i j a b = (i = a /\ j = b \/ i = b /\ j = a)).
+Check (fun body t x v => eq_refl : ManyBalls.flown body t x v = fun b k => x b k + t * v b k).
+Check (ManyBalls.apart_from_then_on : forall (body : Set) d mass, (forall b, 0 < mass b) ->
+  (forall a b : body, {a = b} + {a <> b}) -> forall x v t i j a b m n,
+  ManyBalls.history body d mass x v t i j -> ManyBalls.is_pair body (i m) (j m) a b -> (m < n)%nat ->
+  (forall k, (m < k < n)%nat -> ManyBalls.hit_from_behind body d x i j a b k) ->
+  (forall s, 0 <= s -> 0 <= ManyBalls.opening body d (ManyBalls.flown body s (x n) (v n)) (v n) a b) /\
+  (forall s u, 0 <= s <= u -> ManyBalls.apart2 body d (ManyBalls.flown body s (x n) (v n)) a b <=
+    ManyBalls.apart2 body d (ManyBalls.flown body u (x n) (v n)) a b) /\
+  ~ ManyBalls.is_pair body (i n) (j n) a b).
+Check (ManyBalls.one_in_between : forall (body : Set) d mass, (forall b, 0 < mass b) ->
+  (forall a b : body, {a = b} + {a <> b}) -> forall x v t i j a b m n,
+  ManyBalls.history body d mass x v t i j -> ManyBalls.is_pair body (i m) (j m) a b -> (m < n)%nat ->
+  ManyBalls.is_pair body (i n) (j n) a b ->
+  ~ forall k, (m < k < n)%nat -> forall c, c <> a -> c <> b ->
+    ~ ManyBalls.is_pair body (i k) (j k) a c /\ ~ ManyBalls.is_pair body (i k) (j k) b c).
+(* glue-scenes: (i) free flight; (ii) and (iii); (iv), where size is 3 R^2, growth is 3 A and spin2 9 L^2; (v). *)
+Check (Runs.never_by_parting : forall d s i j, 1 <= Motion.square d s i j -> 0 <= rate d s i j ->
+  Runs.never_meets d s i j).
+Check (Runs.never_by_passing : forall d s i j, 0 < dot d (relative s i j) (relative s i j) ->
+  rate d s i j ^ 2 < dot d (relative s i j) (relative s i j) * (Motion.square d s i j - 1) ->
+  Runs.never_meets d s i j).
+Check (Runs.never_any : forall d s o i c, i <> o /\ c <> o /\ i <> c -> Runs.never_meets d s o i ->
+  Runs.never_meets d s o c -> Runs.never_meets d s i c ->
+  forall t, 0 < t -> nobody_collides d (Theorem1.later t s)).
+Check (FiniteScenes.finite_by_restitution : forall d r s, 0 < r <= 1 -> r ^ 2 - 14 * r + 1 < 0 ->
+  Classification.finite d r s).
+Check (FiniteScenes.finite_outward : forall d r s, 0 < r <= 1 ->
+  0 <= Classification.growth d s -> 6 <= Classification.size d s -> Classification.finite d r s).
+Check (fun d s => eq_refl : Deadline.least_motion d s =
+  Classification.spin2 d s / Rmax (Classification.size d s) 6).
+Check (Deadline.deadline : forall d r s scenes time i j T, 0 < r <= 1 -> 0 < Classification.spin2 d s ->
+  Classification.endless d r s scenes time i j -> Un_cv time T -> let m := Deadline.least_motion d s in
+  0 <= Classification.growth d s ^ 2 + (6 - Classification.size d s) * m /\
+  T <= (sqrt (Classification.growth d s ^ 2 + (6 - Classification.size d s) * m) -
+    Classification.growth d s) / m).
+Check (Deadline.never_late : forall d r s, 0 < r <= 1 -> 0 < Classification.spin2 d s ->
+  Classification.growth d s ^ 2 + (6 - Classification.size d s) * Deadline.least_motion d s < 0 ->
+  Classification.finite d r s).
+Check (ManyBalls.not_before : forall (body : Set) d mass, (forall b, 0 < mass b) ->
+  (forall a b : body, {a = b} + {a <> b}) -> forall x v t i j a b n,
+  ManyBalls.history body d mass x v t i j -> a <> b -> 0 <= ManyBalls.opening body d (x 0%nat) (v 0%nat) a b ->
+  (forall k, (k < n)%nat -> ManyBalls.hit_from_behind body d x i j a b k) ->
+  ~ ManyBalls.is_pair body (i n) (j n) a b).
+
+(* --- balls on a line ---------------------------------------------------------------------------- *)
+
+(* The proposition is spelled out in PinnedLine.v, and so is what it means to be on a line. *)
+Check (fun d mass r i j s s' => eq_refl : Line.parts d mass r i j s s' =
+  exists J, 0 <= J /\ position s' = position s /\
+    (forall b k, velocity s' b k =
+      if same b i then velocity s b k - J / mass i * to s i j k
+      else if same b j then velocity s b k + J / mass j * to s i j k
+      else velocity s b k) /\
+    rate d s' i j = - r * rate d s i j).
+Check (fun mass r o b => eq_refl : Line.share mass r o b = (1 + r) * mass b / (mass o + mass b)).
+Check (LineProof.line_theorem_holds : Line.line_theorem).
 
 (* --- the spectrum ----------------------------------------------------------------------------------- *)
 

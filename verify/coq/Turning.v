@@ -144,7 +144,7 @@ Variable first : scene.
 Variable scenes : nat -> scene.
 Variable time : nat -> R.
 Variables i j : nat -> ball.
-Hypothesis restitutes : 0 < r < 1.
+Hypothesis restitutes : 0 < r <= 1.
 Hypothesis run : endless d r first scenes time i j.
 Let L := spin2 d (scenes 0%nat).
 Lemma spin2_stays n : spin2 d (scenes n) = L.

@@ -644,7 +644,10 @@ class _Reader:
         if word == DOT:
             return self._dot()
         self.at -= 1
-        arguments = [self.number(value) for value in self._arguments()]
+        values = self._arguments()
+        if word in MANY and len(values) == 1 and isinstance(values[0], Table):
+            values = [entry for row in values[0].rows for entry in row]
+        arguments = [self.number(value) for value in values]
         if word == "root":
             return self._root(arguments)
         if (len(arguments) > 1) != (word in MANY):

@@ -1,0 +1,132 @@
+(* General mathematics that statements take on trust: series, and functions with a positive second
+   derivative. *)
+From Coq Require Import Reals Ranalysis5 Lra Lia List FinFun.
+From Verify Require Import Theorem1 Vectors Sequences.
+Import ListNotations.
+Open Scope R_scope.
+
+(* --- inner products ------------------------------------------------------------------------------ *)
+
+(* What Cauchy and Schwarz say of any form that is one. *)
+Lemma form_bounded a b c : 0 <= a -> (forall s t, 0 <= s * s * a + 2 * (s * t) * b + t * t * c) -> b ^ 2 <= a * c.
+Proof.
+  intros A Q. destruct (Rle_lt_or_eq_dec _ _ A) as [P|P].
+  - specialize (Q (- b) a). apply Rmult_le_reg_l with a; [exact P|]. lra.
+  - destruct (Req_dec b 0) as [->|N]; [rewrite <- P; lra|].
+    specialize (Q (- ((c + 1) / (2 * b))) 1).
+    replace (2 * (- ((c + 1) / (2 * b)) * 1) * b) with (- (c + 1)) in Q by (field; exact N). rewrite <- P in Q. lra.
+Qed.
+(* Tuples of vectors, with masses. *)
+Definition mixed (d : nat) (m : nat -> R) (x z : nat -> vector) (n : nat) : R :=
+  sum_f_R0 (fun i => m i * dot d (x i) (z i)) n.
+Lemma tuples_bounded d m x z n : (forall i, 0 < m i) -> mixed d m x z n ^ 2 <= mixed d m x x n * mixed d m z z n.
+Proof.
+  intros M. apply form_bounded.
+  - apply cond_pos_sum. intros i. specialize (M i). apply Rmult_le_pos; [lra | apply dot_self].
+  - intros s t. replace (s * s * mixed d m x x n + 2 * (s * t) * mixed d m x z n + t * t * mixed d m z z n)
+      with (sum_f_R0 (fun i => m i * dot d (combined s (x i) t (z i)) (combined s (x i) t (z i))) n).
+    + apply cond_pos_sum. intros i. specialize (M i). apply Rmult_le_pos; [lra | apply dot_self].
+    + unfold mixed. rewrite !scal_sum, <- !plus_sum. apply sum_eq. intros i _. rewrite square_of_combined. ring.
+Qed.
+Lemma lengths_add d u v :
+  sqrt (dot d (combined 1 u 1 v) (combined 1 u 1 v)) <= sqrt (dot d u u) + sqrt (dot d v v).
+Proof.
+  pose proof (sqrt_pos (dot d u u)) as A. pose proof (sqrt_pos (dot d v v)) as B.
+  pose proof (sqrt_sqrt _ (dot_self d u)) as A2. pose proof (sqrt_sqrt _ (dot_self d v)) as B2.
+  set (a := sqrt (dot d u u)) in *. set (b := sqrt (dot d v v)) in *.
+  rewrite <- (sqrt_square (a + b)) by lra. apply sqrt_le_1_alt. rewrite square_of_combined, <- A2, <- B2.
+  assert (dot d u v <= a * b); [|lra].
+  apply Rnot_lt_le. intros L. assert (0 <= a * b) by now apply Rmult_le_pos.
+  pose proof (cauchy_schwarz d u v) as C. rewrite <- A2, <- B2 in C.
+  assert (a * b * (a * b) < dot d u v * dot d u v) by (apply Rmult_le_0_lt_compat; lra). lra.
+Qed.
+
+(* --- series -------------------------------------------------------------------------------------- *)
+
+(* A series of vectors converges if the partial sums of their lengths are bounded. *)
+Lemma vectors_summable d (u : nat -> vector) b :
+  (forall n, sum_f_R0 (fun m => sqrt (dot d (u m) (u m))) n <= b) ->
+  forall k, (k < d)%nat -> exists l, Un_cv (fun n => sum_f_R0 (fun m => u m k) n) l.
+Proof.
+  intros B k K.
+  assert (A : forall m, Rabs (u m k) <= sqrt (dot d (u m) (u m))).
+  { intros m. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. exact (coordinate_at_most d (u m) k K). }
+  apply (bounded_variation_converges _ (fun n => sum_f_R0 (fun m => sqrt (dot d (u m) (u m))) n) b); [| | exact B];
+    intros n; cbn [sum_f_R0]; pose proof (within _ _ (A (S n))); lra.
+Qed.
+(* Numbers that are not negative have the same sum in any order. *)
+Fixpoint listed (u : nat -> R) (l : list nat) : R := match l with [] => 0 | n :: l => u n + listed u l end.
+Lemma listed_app u l l' : listed u (l ++ l') = listed u l + listed u l'.
+Proof. induction l as [|n l IH]; cbn; [ring | rewrite IH; ring]. Qed.
+Lemma listed_positive u l : (forall n, 0 <= u n) -> 0 <= listed u l.
+Proof. intros P. induction l as [|n l IH]; cbn; [lra|]. specialize (P n). lra. Qed.
+Lemma listed_among u l : (forall n, 0 <= u n) -> NoDup l -> forall l', incl l l' -> listed u l <= listed u l'.
+Proof.
+  intros P. induction l as [|n l IH]; intros N l' I; [now apply listed_positive|].
+  apply NoDup_cons_iff in N as [F N]. destruct (in_split n l' (I n (or_introl eq_refl))) as (a & b & ->).
+  rewrite listed_app. cbn [listed].
+  assert (J : incl l (a ++ b)).
+  { intros m M. assert (m <> n) by (intros ->; contradiction). specialize (I m (or_intror M)).
+    apply in_app_iff in I. apply in_app_iff. destruct I as [I|[I|I]]; [now left | congruence | now right]. }
+  specialize (IH N _ J). rewrite listed_app in IH. lra.
+Qed.
+Lemma sum_listed u n : sum_f_R0 u n = listed u (seq 0 (S n)).
+Proof.
+  induction n as [|n IH]; [cbn; ring|]. cbn [sum_f_R0]. rewrite IH, (seq_S (S n)), listed_app. cbn. ring.
+Qed.
+Lemma some_of_them u p n l : (forall m, 0 <= u m) -> (forall m k, p m = p k -> m = k) ->
+  Un_cv (fun n => sum_f_R0 u n) l -> sum_f_R0 (fun m => u (p m)) n <= l.
+Proof.
+  intros P I L. set (top := list_max (map p (seq 0 (S n)))).
+  assert (E : forall f, listed (fun m => u (p m)) f = listed u (map p f)).
+  { induction f as [|m f IH]; cbn; [reflexivity | now rewrite IH]. }
+  rewrite sum_listed, E. apply Rle_trans with (listed u (seq 0 (S top))).
+  - apply listed_among; [exact P | apply Injective_map_NoDup; [exact I | apply seq_NoDup]|].
+    intros m M. apply in_seq. split; [lia|]. assert (m <= top)%nat; [|lia].
+    assert (F : Forall (fun k => k <= top)%nat (map p (seq 0 (S n)))) by (apply list_max_le; unfold top; lia).
+    rewrite Forall_forall in F. now apply F.
+  - rewrite <- sum_listed. apply (growing_ineq (fun n => sum_f_R0 u n) l); [|exact L].
+    intros m. cbn [sum_f_R0]. specialize (P (S m)). lra.
+Qed.
+Lemma any_order u p q l : (forall n, 0 <= u n) -> (forall n, q (p n) = n) -> (forall n, p (q n) = n) ->
+  Un_cv (fun n => sum_f_R0 u n) l -> Un_cv (fun n => sum_f_R0 (fun m => u (p m)) n) l.
+Proof.
+  intros P Q Q' L.
+  assert (I : forall m k, p m = p k -> m = k) by (intros m k E; now rewrite <- (Q m), <- (Q k), E).
+  assert (J : forall m k, q m = q k -> m = k) by (intros m k E; now rewrite <- (Q' m), <- (Q' k), E).
+  destruct (bounded_increasing_converges (fun n => sum_f_R0 (fun m => u (p m)) n) l) as (k & K).
+  - intros n. cbn [sum_f_R0]. specialize (P (p (S n))). lra.
+  - intros n. now apply some_of_them.
+  - replace l with k; [exact K|]. apply Rle_antisym.
+    + apply (limit_at_most _ _ _ K). intros n. now apply some_of_them.
+    + apply (limit_at_most _ _ _ L). intros n.
+      rewrite (sum_eq u (fun m => u (p (q m)))) by (intros m _; now rewrite Q').
+      now apply (some_of_them (fun m => u (p m)) q).
+Qed.
+
+(* --- a positive second derivative ------------------------------------------------------------------ *)
+
+(* A function on an interval, with a first derivative that changes sign. *)
+Lemma falls_and_rises a b f f' f'' : a < b ->
+  (forall x, a <= x <= b -> derivable_pt_lim f x (f' x)) ->
+  (forall x, a <= x <= b -> derivable_pt_lim f' x (f'' x)) ->
+  (forall x, a <= x <= b -> 0 < f'' x) -> f' a < 0 -> 0 < f' b ->
+  exists c, a < c < b /\ f' c = 0 /\ (forall x y, a <= x < y -> y <= c -> f y < f x) /\
+    (forall x y, c <= x < y -> y <= b -> f x < f y).
+Proof.
+  intros AB D D' P A B.
+  assert (G : forall x y, a <= x < y -> y <= b -> f' x < f' y).
+  { intros x y X Y. destruct (MVT_cor2 f' f'' x y ltac:(lra)) as (z & E & Z); [intros z Z; apply D'; lra|].
+    assert (0 < f'' z * (y - x)) by (apply Rmult_lt_0_compat; [apply P|]; lra). lra. }
+  destruct (IVT_interv f' a b) as (c & C & F); trivial.
+  { intros x X. apply derivable_continuous_pt. exists (f'' x). now apply D'. }
+  assert (C' : a < c < b).
+  { split; apply Rnot_le_lt; intros N; [assert (c = a) by lra | assert (c = b) by lra]; subst c; lra. }
+  exists c. split; [exact C'|]. split; [exact F|]. split; intros x y X Y.
+  - destruct (MVT_cor2 f f' x y ltac:(lra)) as (z & E & Z); [intros z Z; apply D; lra|].
+    assert (f' z < 0) by (rewrite <- F; apply G; lra).
+    assert (0 < - f' z * (y - x)) by (apply Rmult_lt_0_compat; lra). lra.
+  - destruct (MVT_cor2 f f' x y ltac:(lra)) as (z & E & Z); [intros z Z; apply D; lra|].
+    assert (0 < f' z) by (rewrite <- F; apply G; lra).
+    assert (0 < f' z * (y - x)) by (apply Rmult_lt_0_compat; lra). lra.
+Qed.

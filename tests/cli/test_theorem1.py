@@ -725,3 +725,33 @@ def test_nothing_is_written_where_the_row_that_is_asked_for_is_not_there(
     assert (code, text) == (2, "")
     assert "there is no row 'nope'" in complaint
     assert not [*out.glob("*")]
+
+
+@pytest.mark.parametrize("written", [False, True])
+def test_the_judge_with_and_without_a_certificate(
+    written: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The checker has judged each row of a certificate that it has accepted."""
+    words = [
+        "theorem1",
+        "--r",
+        "0.03",
+        "--json",
+        *(["--out", str(tmp_path / "out")] if written else []),
+    ]
+    assert main(words) == 0
+    judges: set[str] = set()
+
+    def visit(item: object) -> None:
+        if isinstance(item, dict):
+            if "judged_by" in item:
+                judges.add(item["judged_by"])
+            for part in item.values():
+                visit(part)
+        elif isinstance(item, list):
+            for part in item:
+                visit(part)
+
+    visit(json.loads(capsys.readouterr().out))
+    assert ("the checker" in judges) == written
+    assert ("FLINT at a point" in judges) != written

@@ -15,7 +15,7 @@ import pytest
 
 from tests.lies.bombs import PAGES, doubled, drawn
 
-SECONDS, MEMORY = 20, 500 << 20
+SECONDS, MEMORY = 10, 500 << 20
 #: What the search may take of that.
 TIME = "3"
 DRAWN = int(os.environ.get("BOMBS", "12"))

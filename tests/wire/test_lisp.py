@@ -202,3 +202,22 @@ def test_what_is_said_of_other_cores(text: str, says: str) -> None:
     with pytest.raises(InputError) as error:
         read_fpcore("f.fpcore", text.encode())
     assert says in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("claim", "says"),
+    [
+        ("(== x 1)", "write ="),
+        ("(=< x 1)", "write <="),
+        ("(!= x 1)", "write distinct"),
+        ("(<> x 1)", "write distinct"),
+        ("(< (** x 2) 1)", "write ^"),
+        ("(forall ((y Real)) (< x y))", "not read"),
+        ("(is_int x)", "not read"),
+    ],
+)
+def test_signs_of_other_languages(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], claim: str, says: str
+) -> None:
+    assert run(tmp_path, "a.smt2", f"(declare-const x Real)(assert {claim})(check-sat)") == 2
+    assert says in capsys.readouterr().err

@@ -18,13 +18,14 @@ OPTIONS = {**VERBOSE, **ROWS, **JSON, **COLOR, **CERTIFICATE}
 def answer(
     outcome: Outcome,
     options: Options,
-    document: Callable[[], Mapping[str, Any]],
-    screen: Callable[[], Iterable[str]],
+    document: Callable[[Outcome], Mapping[str, Any]],
+    screen: Callable[[Outcome], Iterable[str]],
     *,
     has_rows: bool = False,
 ) -> None:
     """Write the certificate that is asked for, and print the document or the screen.
 
+    Both are of the outcome that the checker has judged, if a certificate of it was written.
     With ``--rows`` only those rows of it are printed, with ``-v`` every row: before the screen, if
     it does not have them.
 
@@ -34,22 +35,19 @@ def answer(
     """
     from verify.cli.files import UncheckableError, print_document, write_certificate  # when used
 
-    found: Mapping[str, Any] = {}
-    text: list[str] = []
-    if not options.json:
-        text = told(outcome, options, screen(), has_rows=has_rows)
-    else:
-        found = document() if options.rows is None else only(outcome, options.rows, document())
+    if options.rows is not None:
+        named(outcome, options.rows)  # before anything is written
     missing: UncheckableError | None = None
     try:
         if options.out is not None:
-            write_certificate("--out", options.out, outcome)
+            outcome = write_certificate("--out", options.out, outcome)
     except UncheckableError as error:  # the verdict is known all the same
         missing = error
     if options.json:
-        print_document(found)
+        found = document(outcome)
+        print_document(found if options.rows is None else only(outcome, options.rows, found))
     else:
-        show(text, options)
+        show(told(outcome, options, screen(outcome), has_rows=has_rows), options)
     if missing is not None:
         sys.stdout.flush()
         raise missing
@@ -61,13 +59,23 @@ def only(outcome: Outcome, name: str, document: Mapping[str, Any]) -> dict[str, 
     Raises:
         InputError: if there is no such row.
     """
+    names = named(outcome, name)
+    return {key: _without_others(value, names) for key, value in document.items()}
+
+
+def named(outcome: Outcome, name: str) -> set[str]:
+    """The rows of a name, a label or a printed number.
+
+    Raises:
+        InputError: if there is no such row.
+    """
     from verify.paper.source import PAPER  # loaded only where they are used
     from verify.views.words import is_called
 
     names = {row.name for row, _ in outcome.rows if is_called(row, name, PAPER)}
     if not names:
         raise no_row(outcome, name)
-    return {key: _without_others(value, names) for key, value in document.items()}
+    return names
 
 
 def _without_others(value: Any, names: set[str]) -> Any:

@@ -43,5 +43,5 @@ def run(options: Options) -> int:
         document |= {"verdict": verdict, "headline": verdict}
         text += [f"{verdict.capitalize()}: the longest run at this r"]
     title = screen("Which collapses there are", outcome, PAPER)
-    claims.answer(outcome, options, lambda: document, lambda: [*title, "", *text])
+    claims.answer(outcome, options, lambda _: document, lambda _: [*title, "", *text])
     return EXIT_CODES[verdict]

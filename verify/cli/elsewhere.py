@@ -26,7 +26,7 @@ def run(options: Options) -> int:
     claims.answer(
         outcome,
         options,
-        lambda: claims_document(outcome, "elsewhere", FORMAT),
-        lambda: [*screen(TITLE, outcome, PAPER), "", f"Verdict: {summary(outcome, PAPER)}"],
+        lambda outcome: claims_document(outcome, "elsewhere", FORMAT),
+        lambda outcome: [*screen(TITLE, outcome, PAPER), "", f"Verdict: {summary(outcome, PAPER)}"],
     )
     return outcome.exit_code

@@ -279,9 +279,10 @@ class UncheckableError(InputError):
 
 def write_certificate(
     option: str, directory: str, outcome: Outcome, beside: Mapping[str, bytes] | None = None
-) -> None:
+) -> Outcome:
     """Write an outcome as a certificate that `verify/check.py` accepts, or say why not.
 
+    It is given back with the verdicts of the checker, or as it is if nothing was written.
     ``beside`` are other files of the same folder. Nothing is written, with a line on stderr,
     where a needed row is undecided.
 
@@ -291,6 +292,7 @@ def write_certificate(
     """
     from verify.wire.judge import (
         accept,  # hashlib and json are loaded only where they are used
+        with_verdicts,
     )
     from verify.wire.write import write
 
@@ -298,10 +300,10 @@ def write_certificate(
         row.role == NEEDED and found.claimed == UNDECIDED for row, found in outcome.rows
     ):
         print("verify: a needed row is undecided; no certificate was written", file=sys.stderr)
-        return
+        return outcome
     files = write(outcome)
     try:
-        accept(files, outcome.claimed)
+        report = accept(files, outcome.claimed)
     except UnreadError as error:
         digits = longest_number(outcome)
         if digits < LONG_NUMBER:
@@ -315,6 +317,7 @@ def write_certificate(
         )
         raise UncheckableError(option, why) from error
     write_folder(option, directory, {**files, **(beside or {})})
+    return with_verdicts(outcome, report)
 
 
 def longest_number(outcome: Outcome) -> int:

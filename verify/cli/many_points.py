@@ -17,7 +17,7 @@ from verify.language.statement import REFUTED, UNDECIDED
 from verify.paper.parameters import PRINTED
 from verify.paper.source import PAPER
 from verify.prover.decimals import exact_number
-from verify.prover.outcome import EXIT_CODES, conjunction
+from verify.prover.outcome import EXIT_CODES, Outcome, conjunction
 from verify.spheres.parameters import neg_cos, restitution
 from verify.wire.inputs import InputError, integer, interval, positive
 
@@ -55,11 +55,11 @@ def _everywhere(options: Options) -> int:
     argument = conjunction(outcome.decisions.values())
     verdicts = verdicts_as_printed()
 
-    def document() -> dict[str, Any]:
+    def document(outcome: Outcome) -> dict[str, Any]:
         found = claims_document(outcome, "theorem1", view.FORMAT)
         return found | ({"sets": {"printed": {"verdict": argument, **verdicts}}} if printed else {})
 
-    def screen() -> Iterable[str]:
+    def screen(outcome: Outcome) -> Iterable[str]:
         if printed:
             where = pages.accepted("thresholds")
             shares = thresholds.all_shares(where)
@@ -96,8 +96,8 @@ def _box(options: Options) -> int:
     claims.answer(
         found.outcome,
         options,
-        lambda: view.box_document(found, found.outcome.assumptions),
-        lambda: view.screen(found, PAPER),
+        lambda _: view.box_document(found, found.outcome.assumptions),
+        lambda _: view.screen(found, PAPER),
     )
     return EXIT_CODES[found.verdict]
 

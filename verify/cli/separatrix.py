@@ -75,7 +75,7 @@ def _theorem(options: Options) -> int:
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = accepted("separatrix")
     document, text = theorem_document, theorem_screen
-    claims.answer(outcome, options, lambda: document(outcome), lambda: text(outcome, PAPER))
+    claims.answer(outcome, options, document, lambda outcome: text(outcome, PAPER))
     return outcome.exit_code
 
 

@@ -42,7 +42,7 @@ def run(options: Options) -> int:
         document |= point_document(r, spectrum, bits)
         text += point_lines(r, spectrum)
     text += ["", verdict_line(outcome, PAPER)]
-    claims.answer(outcome, options, lambda: document, lambda: text)
+    claims.answer(outcome, options, lambda _: document, lambda _: text)
     return outcome.exit_code
 
 

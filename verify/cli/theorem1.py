@@ -12,6 +12,7 @@ from verify.paper.commands.citing import as_printed
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.parameters import SELECTIONS
 from verify.paper.source import PAPER
+from verify.prover.outcome import Outcome
 from verify.views.screen import screen
 from verify.wire.inputs import InputError, integer
 
@@ -79,11 +80,11 @@ def _point(options: Options) -> int:
     from verify.views.enclosures import sharpened
     from verify.views.table import report_lines
 
-    def whole() -> dict[str, Any]:
+    def whole(outcome: Outcome) -> dict[str, Any]:
         shown = sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome
         return document(shown, as_printed(outcome))
 
-    def text() -> Iterable[str]:
+    def text(outcome: Outcome) -> Iterable[str]:
         every = options.verbose and options.rows is None
         return report_lines(outcome, PAPER) if every else screen(outcome, PAPER)
 

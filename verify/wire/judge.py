@@ -21,8 +21,8 @@ from verify.wire.write import write
 SHIPPED = "the checker, before these files were shipped (their digests are compared)"
 
 
-def accept(files: Mapping[str, bytes], verdict: str) -> None:
-    """Afterwards the checker accepts a folder, with this verdict, and the certificates in `cited`.
+def accept(files: Mapping[str, bytes], verdict: str) -> check.Report:
+    """What the checker says of a folder that it accepts with this verdict, and with `cited`.
 
     Raises:
         OwnError: if it does not.
@@ -31,6 +31,7 @@ def accept(files: Mapping[str, bytes], verdict: str) -> None:
     report = _report(files, check.MAX_WORK - _work(_cited(files)))
     if report.verdict != {PROVED: "PROVED", REFUTED: "REFUTED"}[verdict]:
         raise _refused(report, f"{report.verdict}, expected {verdict}")
+    return report
 
 
 def judged(outcome: Outcome) -> Outcome:

@@ -229,6 +229,9 @@ SMTLIB = Dialect(
         ]
     ),
     last=False,
+    foreign=frozenset(
+        ["forall", "exists", "match", "as", "_", "mod", "div", "is_int", "to_int", "to_real"]
+    ),
 )
 #: What ``(! ...)`` may say in FPCore: how to round, which real numbers do not care about.
 ROUNDING = frozenset([":precision", ":round", ":overflow", ":math-library"])
@@ -316,6 +319,23 @@ def _extremum(condition: Formula, one: Term, other: Term) -> Term | None:
         if is_one and {one, other} == {x, -x}:
             return maximum(x, -x)
     return None
+
+
+#: What is written instead of signs of other languages, in SMT-LIB and (true) in FPCore.
+_WRITTEN: Mapping[str, Mapping[bool, str]] = {
+    "==": {False: "="},
+    "=": {True: "=="},
+    "!=": {False: "distinct"},
+    "distinct": {True: "!="},
+    "<>": {False: "distinct", True: "!="},
+    "=<": {False: "<=", True: "<="},
+    "**": {False: "^", True: "pow"},
+    "^": {True: "pow"},
+    "ite": {True: "if"},
+    "abs": {True: "fabs"},
+    "min": {True: "fmin"},
+    "max": {True: "fmax"},
+}
 
 
 class Reader:
@@ -419,7 +439,10 @@ class Reader:
     def _instead(self, word: Word, known: Iterable[str]) -> str:
         """What to write for a word that is not read; nothing like it if the language has it."""
         if word in self.dialect.foreign:
-            return "this word of FPCore is not read; write what it means with + - * / exp log ..."
+            return "it is not read; write what it means with + - * / exp log ..."
+        written = _WRITTEN.get(word, {}).get(self.dialect.last)
+        if written:
+            return f"write {written}"
         if known is self.dialect.operations:
             return nearest(word, known)
         if not word.is_symbol:

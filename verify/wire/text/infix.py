@@ -74,6 +74,13 @@ _SAME = dict(
 )
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 RELATIONS = ("<", "<=", "=", ">=", ">", "!=")
+#: What is written for words of logic and of programs that are not read.
+_LOGIC = {
+    "not": "write the opposite claim, such as x > 1 for not x <= 1",
+    "if": "write what is given under contexts",
+    "inf": "leave a bound out that is infinite",
+    "infinity": "leave a bound out that is infinite",
+}
 
 #: A decimal with so many digits behind its point is written as a fraction.
 LONGEST_DECIMAL = 20
@@ -207,6 +214,10 @@ class Names:
         raise InputError(f"{where}: {shown(name)} is not defined here; {self._instead(name)}")
 
     def _instead(self, name: str) -> str:
+        if name in self.functions or name in CALLED:
+            return f"it is a function; write {name}(...)"
+        if name in _LOGIC:
+            return _LOGIC[name]
         short = ", ".join(list(self.known)[:8])
         what = f"what is defined is {short}" if short else "nothing is defined here"
         otherwise = f"define it before, under constants, or as a variable; {what}"
@@ -418,10 +429,15 @@ class _Reader:
     def _too_much(self) -> str:
         kind, word = self.tokens[self.at]
         before = self.tokens[self.at - 1]
+        if before[1] == "0" and re.fullmatch(r"[xbo][0-9a-fA-F]+", word):
+            return f"0{word} is no number in decimal digits; write 8 or 0.5"
+        if word in _LOGIC:
+            return f"{word} cannot be used; {_LOGIC[word]}"
         if kind in ("name", "number", "quoted") or word == "(":
             return f"no sign stands between {before[1]} and {word}; write {before[1]}*{word}"
         found = f"{self.next_word()}, and does not belong there"
-        if word == "," and any(word in RELATIONS for _, word in self.tokens[self.at :]):
+        sides = self.tokens[: self.at], self.tokens[self.at :]
+        if word == "," and all(any(w in RELATIONS for _, w in side) for side in sides):
             found += "; write each claim as a text of its own, in a list"
         elif word == "," and before[0] == self.tokens[self.at + 1][0] == "number":
             found += f"; write a point: {before[1]}.{self.tokens[self.at + 1][1]}"

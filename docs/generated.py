@@ -22,12 +22,13 @@ from typing import Any
 
 from verify.check_map import GIVEN
 from verify.cli import _EXIT_CODES, COMMANDS
-from verify.language.statement import NEEDED, OTHERWISE
+from verify.language.statement import NEEDED
 from verify.paper.glossary import LETTERS
 from verify.paper.in_coq import CITED_IN_COQ, IN_COQ
 from verify.paper.theorem1 import theorem
 from verify.prover.proof import Shape, shapes
 from verify.prover.rules import RULES
+from verify.publication import OTHERWISE
 from verify.views.words import DEFINITION
 
 ROOT = Path(__file__).resolve().parent.parent

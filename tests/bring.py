@@ -1,9 +1,10 @@
-"""What is made from the program and comes with it: copies of certificates, and the index of places.
+"""What is made from the program and comes with it: copies of certificates, what is compiled of the
+page of Theorem 1, and the index of places.
 
 Of each page of the paper it records the text that makes the certificate, by its digest.
 
 ``python -m tests.bring``, after a change to a row or to a certificate, writes `verify/data` and the
-digests in `verify/wire/packaged.py`. Some certificates cite others: after it wrote something, run
+digests in `verify/data/packaged.txt`. Some certificates cite others: after it wrote something, run
 ``verify certify`` again, and then this, until nothing is written. With ``--compare`` it writes
 nothing, and fails if anything would change.
 """
@@ -19,16 +20,18 @@ from verify.paper.commands import index
 from verify.paper.commands.pages import content as content_of
 from verify.paper.commands.pages import decide
 from verify.paper.commands.places import places
-from verify.wire.packaged import AS_PRINTED, PACKAGED, PACKAGED_FILES, PAGES
+from verify.paper.parameters import AS_PRINTED
+from verify.paper.theorem1 import COMPILED, PAGE, as_read
+from verify.wire.compiled import compiled
+from verify.wire.packaged import DIGESTS, PACKAGED, PACKAGED_FILES, PAGES
 from verify.wire.write import write
 
 ROOT = Path(__file__).parents[1]
-DIGESTS = ROOT / "verify" / "wire" / "packaged.py"
 
 
 def files() -> Iterator[tuple[Path, bytes]]:
     """Each file with the bytes that it should have."""
-    code = DIGESTS.read_text(encoding="utf-8")
+    code = Path(DIGESTS).read_text(encoding="utf-8")
     for name, old in PACKAGED_FILES.items():
         made = write(decide("printed_rows")) if name == AS_PRINTED else {}
         for file in old:
@@ -41,7 +44,9 @@ def files() -> Iterator[tuple[Path, bytes]]:
         if here.exists() and any(made[f] != (here / f).read_bytes() for f in PACKAGED_FILES[name]):
             raise SystemExit(f"verify/paper/{page}.toml has changed: run `verify certify` first")
         code = code.replace(old, sha256(content_of(page)).hexdigest())
-    yield DIGESTS, code.encode()
+    yield Path(DIGESTS), code.encode()
+    page_of_theorem = Path(PAGE).read_bytes()
+    yield Path(COMPILED), compiled(as_read(page_of_theorem), page_of_theorem).encode()
     yield Path(index.INDEX), index.text(places()).encode()
 
 

@@ -22,7 +22,7 @@ from mpmath import mpf, sqrt, workdps
 
 from tests.readme_commands import ROOT
 from verify.paper.source import PAPER, printed_numbers
-from verify.views import classification, everywhere
+from verify.views import all_parameters, classification
 
 CERTIFICATES = ROOT / "certificates"
 
@@ -66,7 +66,11 @@ def plain(text: str) -> str:
 def written() -> str:
     """What the program writes of the committed certificates, and says of its theorems."""
     reports = [path.read_text("utf-8") for path in sorted(CERTIFICATES.rglob("report.md"))]
-    said = [*classification.THEOREMS, everywhere.CLAIM, *(text for _, text in PAPER.notes().causes)]
+    said = [
+        *classification.THEOREMS,
+        all_parameters.CLAIM,
+        *(text for _, text in PAPER.notes().causes),
+    ]
     said += [change.needed for change in PAPER.notes().changes]
     return re.sub(r"[\\`*·]", "", "\n".join([*reports, *said]))
 

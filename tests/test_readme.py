@@ -19,10 +19,10 @@ from verify.language.statement import PROVED, REFUTED
 from verify.language.typeset import Typesetter
 from verify.paper.commands import pages
 from verify.paper.commands.theorem1 import decide_point
-from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import REPAIRED
 from verify.paper.rows import BREAKS
 from verify.paper.theorem1 import theorem
+from verify.prover.choices import entries_of
 
 sys.path.append(str(ROOT / "docs"))
 
@@ -68,8 +68,11 @@ def test_what_is_generated_is_there() -> None:
 
 def test_the_changes_are_those_of_the_repaired_set() -> None:
     """The entries of the repaired minima of which the pages speak."""
-    typesetter, k = Typesetter({}), ConstantSet(REPAIRED)
-    bounds = {name: [typesetter.term(e) for e in terms] for name, terms in k.bounds().items()}
+    typesetter = Typesetter({})
+    bounds = {
+        bound.short_name: [typesetter.term(entry) for entry in entries_of(bound.term)]
+        for bound in theorem().parts[REPAIRED].bounds
+    }
     assert "V_0/repaired.V_1·(delta_2²·h_5/12)" in bounds["delta_x"]
     assert "(1 - C_eta)/28·(V_0/√repaired.V_1)·repaired.Delta_theta" in bounds["eta_bar"]
     assert "repaired.Delta_theta/4" in bounds["d_const"]

@@ -474,7 +474,7 @@ said(
 said(
     P,
     r"A, B, C are |W_c|², |W_s|²",
-    by=coded("|W_c|²,|W_s|²", "verify/paper/commands/whole.py", '"A": ("|W_c|²"')
+    by=coded("|W_c|²,|W_s|²", "verify/paper/commands/repaired_theorem.py", '"A": ("|W_c|²"')
     + "|W_c|²,|W_s|²,",
 )
 

@@ -16,7 +16,7 @@ TYPE_CHECKING = False
 _OFFERED = {
     "verify.library": (
         *("Result", "always", "applies", "ask", "assume", "certificate", "cite", "constant"),
-        *("for_all", "lemma", "prove", "read_page", "root_between", "write_page"),
+        *("for_all", "lemma", "prove", "prove_page", "read_page", "root_between", "write_page"),
     ),
     "verify.language.terms": (
         *("Claim", "Term", "absolute", "acos", "any_of", "asin", "atan", "cos", "cos_pi", "cosh"),
@@ -62,6 +62,7 @@ __all__ = [
     "nth_root",
     "pi",
     "prove",
+    "prove_page",
     "read_page",
     "root_between",
     "sin",
@@ -115,6 +116,7 @@ if TYPE_CHECKING:
         for_all,
         lemma,
         prove,
+        prove_page,
         read_page,
         root_between,
         write_page,

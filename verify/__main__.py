@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import gc
 import os
+import signal
 import sys
 from contextlib import suppress
 
-#: What `verify.cli` says of these codes: our own error, and an interrupt.
-OWN_ERROR, INTERRUPTED = 5, 130
+#: What `verify.cli` says of these codes: our own error, an interrupt, and a request to end.
+OWN_ERROR, INTERRUPTED, TERMINATED = 5, 130, 143
 
 
 def run() -> None:
@@ -19,7 +20,14 @@ def run() -> None:
     """
     # A short-lived process that builds trees and drops nothing: collecting would find no garbage.
     gc.disable()
-    code = OWN_ERROR
+    code, process = OWN_ERROR, os.getpid()
+
+    def terminated(_number: int, _frame: object) -> None:
+        if os.getpid() == process:  # and not a helper that it has started
+            _tell("terminated")
+        os._exit(TERMINATED)
+
+    signal.signal(signal.SIGTERM, terminated)
     try:
         try:
             code = _code()

@@ -23,9 +23,7 @@ from verify.language.statement import (
     Constant,
     Context,
     Given,
-    Notes,
     Obligation,
-    Publication,
     Statement,
     Variable,
 )
@@ -35,8 +33,9 @@ from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.prove import NO_HINTS
 from verify.wire.inputs import InputError, nearest, shown
-from verify.wire.questions import decide
+from verify.wire.questions import decide, decide_page, stated
 from verify.wire.read import cites_of
+from verify.wire.text import Page
 from verify.wire.text.letters import letter_of
 from verify.wire.text.page_tables import NAME
 from verify.wire.text.points import estimate
@@ -47,12 +46,6 @@ from verify.wire.write import write
 
 Item = TypeVar("Item")
 Claims = Mapping[str, Claim] | Iterable[Claim]
-
-
-#: No publication: a statement of one's own is about no text that the program knows.
-NO_PAPER = Publication(
-    "", "", "", "", lambda _: None, {}, {}, {}, (), lambda: Notes((), (), (), {}), lambda: "", {}
-)
 
 
 class Result(Outcome):
@@ -70,9 +63,10 @@ class Result(Outcome):
 
     def latex(self) -> str:
         """The statement with its verdicts as one LaTeX document."""
-        from verify.views.tex.article import tex_document  # loaded only where it is used
+        from verify.publication import NOBODYS  # loaded only where they are used
+        from verify.views.tex.article import tex_document
 
-        return tex_document([self], NO_PAPER)
+        return tex_document([self], NOBODYS)
 
     def _repr_html_(self) -> str:
         from verify.views.notebook import notebook_page  # loaded only where it is used
@@ -80,9 +74,10 @@ class Result(Outcome):
         return notebook_page(self)
 
     def __str__(self) -> str:
-        from verify.views.prove import decided_lines  # loaded only where it is used
+        from verify.publication import NOBODYS  # loaded only where they are used
+        from verify.views.prove import decided_lines
 
-        return "\n".join(decided_lines(self, NO_PAPER))
+        return "\n".join(decided_lines(self, NOBODYS))
 
 
 # --- the parts of a statement --------------------------------------------------------------------
@@ -327,8 +322,7 @@ def prove(
         InputError: for a statement that the checker cannot read.
         OwnError: if the checker refuses a proof.
     """
-    budget = WorkBudget(work, seconds) if watch is None else WorkBudget(work, seconds, watch)
-    return Result(*decide(statement, budget, hints))
+    return Result(*decide(statement, _budget(work, seconds, watch), hints))
 
 
 def certificate(outcome: Outcome) -> dict[str, bytes]:
@@ -340,12 +334,49 @@ def read_page(path: str | PathLike[str]) -> Statement:
     """The statement in a page of constants, a file in the text format.
 
     Raises:
-        InputError: for a file that cannot be used, naming the line and what to write instead.
+        InputError: for a file that cannot be used, naming the line and what to write instead; and
+            for a page with lemmas, or whose lines say what they follow from.
     """
+    page = _page(path)
+    if page.is_argued:
+        raise InputError(
+            f"{path}: it has lemmas, or names what its rows follow from, which is no part of the "
+            "statement; write prove_page(path)"
+        )
+    return stated(page)
+
+
+def prove_page(
+    path: str | PathLike[str],
+    *,
+    work: int = WORK,
+    seconds: float | None = None,
+    watch: Callable[[str], None] | None = None,
+) -> Result:
+    """A page of constants with its rows decided, each by what it names, or else by the search.
+
+    Args:
+        path: a file in the text format.
+        work: how many units of work each line may be, of about a microsecond each.
+        seconds: how long all lines together may take; they share it.
+        watch: called with the name of each line when its search begins.
+
+    Raises:
+        InputError: for a file that cannot be used, naming the line and what to write instead.
+        OwnError: if the checker refuses a proof that was found.
+    """
+    return Result(*decide_page(_page(path), _budget(work, seconds, watch)))
+
+
+def _page(path: str | PathLike[str]) -> Page:
     try:
-        return read_text(str(path), Path(path).read_bytes()).statement
+        return read_text(str(path), Path(path).read_bytes())
     except OSError as error:
         raise InputError(f"{path}: cannot be read ({error.strerror}); name a file") from error
+
+
+def _budget(work: int, seconds: float | None, watch: Callable[[str], None] | None) -> WorkBudget:
+    return WorkBudget(work, seconds) if watch is None else WorkBudget(work, seconds, watch)
 
 
 def write_page(statement: Statement) -> str:
@@ -500,6 +531,7 @@ __all__ = [
     "for_all",
     "lemma",
     "prove",
+    "prove_page",
     "read_page",
     "symbol",
     "write_page",

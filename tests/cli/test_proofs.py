@@ -158,7 +158,7 @@ def test_explain_finds_labels_and_near_names(
     monkeypatch.setattr("verify.cli.explain._statements_with", lambda *_: [])
     code, out, err = run(capsys, "explain", "-v", "EQUATSS4.1Recurrence_CndT")
     assert (code, err) == (0, "")
-    assert "repaired.CndT is written in verify/paper/recursion.py:" in out
+    assert "repaired.CndT is written in verify/paper/theorem1.toml:" in out
     code, out, err = run(capsys, "explain", "tau-positiv")
     assert (code, out, err.count("\n")) == (2, "", 1)
     assert "is it tau-positive" in err

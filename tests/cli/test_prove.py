@@ -177,7 +177,9 @@ def test_what_is_proved_before_an_interruption_is_kept(
     document = with_rows(["<=", "0", "x"], ["<=", "-2", "x"], ["<=", "-1", "x"])
     out = tmp_path / "out"
     assert main(["prove", written(tmp_path, document), "--out", str(out)]) == 130
-    lines = capsys.readouterr().out.splitlines()
+    out_text, err = capsys.readouterr()
+    assert "verify: interrupted\n" in err
+    lines = out_text.splitlines()
     assert [line.split()[0] for line in lines[:3]] == ["proved", "undecided", "undecided"]
     assert "because the search was interrupted" in lines[1]
     assert "1 needed proved" in check.check_folders(check.read_folders([str(out)]))[1][-1]

@@ -21,9 +21,10 @@ from tests.citing import cited_in
 from verify import check
 from verify.cli import main
 from verify.language.terms import cos_pi
+from verify.paper import theorem1
 from verify.prover.outcome import Outcome
+from verify.spheres.parameters import angle
 from verify.wire import write
-from verify.wire.inputs import angle
 
 FILES = ("statement.json", "certificate.json")
 ROOT = Path(__file__).resolve().parents[2]
@@ -661,17 +662,18 @@ def test_nothing_heavy_is_imported() -> None:
     assert python("-c", code).stdout.splitlines()[-1] == "[]"
 
 
-def test_the_process_exits_with_the_verdict_when_a_bound_breaks() -> None:
+def test_the_process_exits_with_the_verdict_when_a_bound_breaks(tmp_path: Path) -> None:
     """What CI relies on: with a bound broken on purpose the main job exits 1."""
+    text = Path(theorem1.PAGE).read_text(encoding="utf-8")
+    entries = '"repaired.zeta_bar" = { value = "min(zeta_entries)"'
+    assert text.count(entries) == 1
+    page = tmp_path / "theorem1.toml"
+    broken = text.replace(entries, entries.replace("min(", "2*min("))
+    page.write_text(broken, encoding="utf-8")
     code = (
         "import sys\n"
-        "from verify.paper import initial_data\n"
-        "bounds = initial_data._repaired_bounds\n"
-        "def broken(k):\n"
-        "    table = bounds(k)\n"
-        "    table['zeta_bar'] = tuple(2 * entry for entry in table['zeta_bar'])\n"
-        "    return table\n"
-        "initial_data._repaired_bounds = broken\n"
+        "from verify.paper import theorem1\n"
+        f"theorem1.PAGE = {str(page)!r}\n"
         "from verify.cli import main\n"
         "sys.exit(main(['theorem1', '--r', '0.03']))\n"
     )

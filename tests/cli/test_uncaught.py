@@ -124,6 +124,28 @@ def test_interrupts_at_any_time() -> None:
             assert out
 
 
+@pytest.mark.parametrize(
+    ("sign", "code", "says"),
+    [(signal.SIGINT, 130, "interrupted"), (signal.SIGTERM, 143, "terminated")],
+)
+def test_a_search_that_is_ended(tmp_path: Path, sign: int, code: int, says: str) -> None:
+    """One line on stderr tells it, wherever the search is; what was decided is printed."""
+    page = tmp_path / "long.toml"
+    rows = "".join(
+        f'r{i} = {{in = "c", claim = "sin(x*y + {i})^2 + y^2 >= x"}}\n' for i in range(99)
+    )
+    page.write_text(
+        'title = "long"\n[contexts.c]\nvariables = ["x", "y"]\n'
+        f'given = ["0 <= x <= 9", "0 <= y <= 9"]\n[rows]\n{rows}'
+    )
+    words = [sys.executable, "-m", "verify", "prove", str(page)]
+    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=ROOT)
+    time.sleep(3)
+    process.send_signal(sign)
+    _, err = process.communicate(timeout=60)
+    assert (process.returncode, err.decode()) == (code, f"verify: {says}\n")
+
+
 def test_an_interrupt_waits() -> None:
     done = []
     with pytest.raises(KeyboardInterrupt), held():  # noqa: PT012

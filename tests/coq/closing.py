@@ -2,7 +2,7 @@
 
     python -m tests.coq.closing DIRECTORY        # writes Closed.v, and the files it needs
 
-What is cited second is exported once more, as `verify.wire.coq.beside` does.
+What is cited second is exported once more, as `verify.wire.coq.second_citation` does.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ import sys
 from hashlib import sha256
 from pathlib import Path
 
-from verify.wire.coq.beside import beside
 from verify.wire.coq.export import export
+from verify.wire.coq.second_citation import beside
 
 ROOT = Path(__file__).resolve().parents[2] / "certificates"
 

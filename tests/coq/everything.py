@@ -23,6 +23,7 @@ from tests.coq.closing import BALLS, BUILT, ROOT, module, unread
 from verify import check
 from verify.cli import main
 from verify.paper.in_coq import CITED_IN_COQ, IN_COQ
+from verify.spheres.coq.motion import about_balls
 from verify.wire.coq.export import export
 
 #: What Theorem1.v says and Pinned.v says once more, each of them proved.
@@ -193,7 +194,9 @@ def exports(directory: Path) -> Iterator[str]:
 
 def _export(folder: Path, balls: bool, file: Path) -> None:
     (read,) = check.read_folders([str(folder)])
-    file.write_text(export(read, balls=balls).rpartition("Print Assumptions")[0])
+    file.write_text(
+        export(read, ending=about_balls if balls else None).rpartition("Print Assumptions")[0]
+    )
 
 
 def everything(folders: list[Path]) -> str:

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 from typing import Any
 
 from tests.coq.record import RECORD
-from verify.views.material import CoqRecord
+from verify.views.findings import CoqRecord
 from verify.views.page.build import checked_in_coq
 from verify.wire.packaged import checked
 

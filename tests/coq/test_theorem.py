@@ -13,8 +13,8 @@ from tests.coq import sentences
 from tests.coq.everything import SENTENCES, conjunction, discharging
 from verify.paper.commands import pages
 from verify.paper.in_coq import CITED_IN_COQ, IN_COQ, WHOLE_IN_COQ
-from verify.wire.coq.beside import beside
 from verify.wire.coq.export import export
+from verify.wire.coq.second_citation import beside
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "verify/coq"

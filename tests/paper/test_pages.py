@@ -10,6 +10,8 @@ import pytest
 from verify.cli import main
 from verify.language.statement import PROVED
 from verify.paper.commands import pages
+from verify.paper.commands.theorem1 import decide_point
+from verify.paper.step import COLLAPSE
 from verify.prover.arguments import write_down
 from verify.wire.judge import judged
 from verify.wire.packaged import PACKAGED, PAGES, became
@@ -28,11 +30,13 @@ WORDS = (
 
 #: A test of `verify/wire/packaged.py` says that these are those of `certificates`.
 DATA = Path(PACKAGED)
-NAMES = pages.names()
+NAMES = sorted(PAGES)
+#: What is proved for the parameters of a command has no certificate here.
+AT_A_POINT = "theorem1"
 
 
 def test_every_page_has_a_certificate() -> None:
-    assert sorted(PAGES) == NAMES
+    assert pages.names() == sorted([*PAGES, AT_A_POINT])
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -42,6 +46,16 @@ def test_a_page_is_the_statement_of_its_certificate(name: str) -> None:
     assert outcome.verdict == PROVED
     for file in ("statement.json", "certificate.json"):
         assert files[file] == (DATA / PAGES[name][0] / file).read_bytes()
+
+
+def test_the_page_of_theorem_1_is_proved_at_its_own_point() -> None:
+    """Every row has the verdict that the command finds, and the chosen constants are the same."""
+    found = pages.decide(AT_A_POINT)
+    own = decide_point(found.statement.parameters)
+    verdicts = {row.name: decision.verdict for row, decision in own.rows if row.name != COLLAPSE}
+    assert {row.name: decision.verdict for row, decision in found.rows} == verdicts
+    assert found.statement.constants == own.statement.constants
+    assert found.verdict == PROVED
 
 
 # --- without reading the page ---------------------------------------------------------------------
@@ -86,7 +100,7 @@ def test_a_changed_page_is_read(function: Any, monkeypatch: pytest.MonkeyPatch) 
     function.cache_clear()
 
 
-@pytest.mark.parametrize("name", [*filter(pages.is_argued, NAMES)])
+@pytest.mark.parametrize("name", [name for name in NAMES if pages.is_argued(name)])
 def test_a_page_is_proved_without_its_certificate(name: str) -> None:
     """Where a line has names only, the sum is found, and the checker accepts it."""
     assert judged(write_down(pages.argument(name))).verdict == PROVED

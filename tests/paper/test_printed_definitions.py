@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any
 
 import pytest
 import sympy
 
+from tests.paper.changed_page import changed_page
 from verify.cli import main
 from verify.language.errors import OwnError
 from verify.language.statement import Constant
 from verify.language.terms import Term, minimum, substitute, substitute_claim, symbol
-from verify.paper import initial_data, printed_definitions, theorem1
+from verify.paper import printed_definitions
 from verify.paper.parameters import PRINTED
 from verify.paper.printed_definitions import DEFINITIONS, AsPrinted, check_definitions, complaints
 from verify.paper.theorem1 import theorem
@@ -102,20 +104,12 @@ def test_a_definition_at_another_label_is_noticed() -> None:
 
 
 def test_theorem1_says_nothing_of_theorem_1_with_another_definition(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    altered = tuple(
-        constant._replace(term=1 - initial_data.delta_3 / 2)
-        if constant.name == "C_eta"
-        else constant
-        for constant in initial_data.CONSTANTS
-    )
-    monkeypatch.setattr(theorem1, "CONSTANTS", altered)
-    theorem.cache_clear()
-    try:
+    with changed_page(
+        tmp_path, ('C_eta = { value = "1 - delta_3"', 'C_eta = { value = "1 - delta_3/2"')
+    ):
         code = main(["theorem1", "--r", "0.03"])
-    finally:
-        theorem.cache_clear()
     assert code == 5
     printed, complaint = capsys.readouterr()
     assert printed == ""

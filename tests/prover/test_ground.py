@@ -20,7 +20,7 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term, as_term, exp, minimum, sin, sqrt, symbol
 from verify.library import ask, lemma, prove
-from verify.prover.choose import round_to_digits
+from verify.prover.choices import round_to_digits
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.rules import Interval, Sum

@@ -16,7 +16,7 @@ from verify.cli.files import write_all
 from verify.paper.commands import report
 from verify.paper.commands.certificates import all_folders
 from verify.prover.outcome import Outcome
-from verify.views.material import CertifiedOutcome, Plotted
+from verify.views.findings import CertifiedOutcome, Plotted
 from verify.views.page.build import files
 
 Files = Mapping[str, bytes]

@@ -17,11 +17,11 @@ import pytest
 
 from tests.views.conftest import TABLE, build, pages_of
 from verify.cli import main
-from verify.language.statement import ACCUSATIONS
 from verify.paper.assumptions import STEP_ASSUMPTIONS as ASSUMPTIONS
 from verify.paper.commands.report import NAMES
+from verify.publication import ACCUSATIONS
 from verify.views.page.build import joined
-from verify.views.setting import prose
+from verify.views.typesetting import prose
 
 MAIN = "theorem1-r-3-100"
 VOID = {"meta", "link", "br", "wbr", "img", "hr", "input"}

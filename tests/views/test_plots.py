@@ -13,18 +13,19 @@ import pytest
 
 from tests.paper.spectrum.page import terms
 from tests.views.conftest import TABLE
-from verify.language.statement import ACCUSATIONS, REFUTED, UNDECIDED
+from verify.language.statement import REFUTED, UNDECIDED
 from verify.language.terms import Claim, as_term
 from verify.paper.commands import curves, pages
 from verify.paper.commands.pages import accepted
 from verify.paper.commands.report import plotted
 from verify.paper.commands.spectrum import roots_of_q
 from verify.paper.commands.thresholds import STRIPS, bands, certified
-from verify.paper.hypotheses import hypotheses
 from verify.paper.parameters import PRINTED, REPAIRED
+from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Decision
 from verify.prover.program import ExactArithmetic, Machine, Program
 from verify.prover.relations import holds
+from verify.publication import ACCUSATIONS
 from verify.views.plots import figures, margins, region, speed
 from verify.views.plots.drawing import HATCHED, SCHEMES, standalone, svg
 from verify.views.plots.map_picture import png_map
@@ -39,7 +40,11 @@ def phi_plus_is_below(q: Fraction, s: Fraction, c: Fraction) -> bool:
 
 
 def test_cells_of_the_picture_lie_where_they_say() -> None:
-    stable = next(row.claim for row in hypotheses() if row.name == "hypotheses.stability")
+    stable = next(
+        row.claim
+        for row in theorem().parts["hypotheses"].obligations
+        if row.name == "hypotheses.stability"
+    )
     assert isinstance(stable, Claim)
     program = Program(("r", "c"))
     sides = program.add(stable.lhs), program.add(stable.rhs)

@@ -16,9 +16,9 @@ from tests.views.test_tex import committed, random_term
 from verify.language.scripts import Scripted, pieces
 from verify.language.terms import Claim, Term, as_term, minimum, names_of, sqrt, symbol
 from verify.prover.outcome import Outcome
-from verify.views.setting import prose
 from verify.views.tex.formulas import Formulas
 from verify.views.tex.sentences import _SIGNS, words
+from verify.views.typesetting import prose
 
 LETTERS = {tex: sign for sign, tex in _SIGNS.items() if tex.startswith("\\")} | {r"\prime": "′"}
 TOKEN = re.compile(r"\\[A-Za-z]+ ?|\\.|\$|[{}_^]|.", re.DOTALL)

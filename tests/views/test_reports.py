@@ -9,11 +9,12 @@ import pytest
 
 from tests.citing import cited
 from tests.points import parameters
-from verify.language.statement import REFUTED, Publication
+from verify.language.statement import REFUTED
 from verify.paper.commands import spectrum, theorem1
 from verify.paper.source import PAPER
 from verify.prover.decimals import short
 from verify.prover.outcome import Outcome
+from verify.publication import Publication
 from verify.views.markdown import report
 from verify.views.tex.article import part
 from verify.views.tex.sentences import name

@@ -22,11 +22,11 @@ from verify.paper.commands.report_maps import log_names, read_map, read_strip, s
 from verify.prover.outcome import Outcome
 from verify.spheres.scene import scene_files
 from verify.spheres.scene.scene import Scene
-from verify.views.material import CertifiedMap
+from verify.views.findings import CertifiedMap
 from verify.views.page.blueprint import direct, edges_between_labels, levels, lowered
 from verify.views.plots import collapse, map_figure
 from verify.views.plots.shapes import merged, round_marks
-from verify.views.setting import prose
+from verify.views.typesetting import prose
 from verify.wire.judge import read_judged as read
 from verify.wire.write import write
 

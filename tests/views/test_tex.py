@@ -18,11 +18,11 @@ from verify import ask, assume, for_all, lemma, prove
 from verify.language.simplify import simplified
 from verify.language.statement import PRINTED
 from verify.language.terms import Term, as_term, sqrt, symbol
-from verify.paper.commands.whole import whole
+from verify.paper.commands.repaired_theorem import whole
 from verify.paper.parameters import ALL_PARAMETERS as EVERYWHERE
 from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
-from verify.views.everywhere import latex
+from verify.views.all_parameters import latex
 from verify.views.markdown import report
 from verify.views.tex.article import END, PREAMBLE, part
 from verify.views.tex.formulas import Formulas, safe_letter

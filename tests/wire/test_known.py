@@ -11,9 +11,10 @@ from verify import check
 from verify.cli import main
 from verify.paper.commands import pages
 from verify.paper.commands.spectrum import PAGE, cite_spectrum, decide_spectrum, state_spectrum
+from verify.paper.parameters import ALL, AS_PRINTED
 from verify.prover.outcome import Outcome
 from verify.wire.judge import known
-from verify.wire.packaged import ALL, AS_PRINTED, PACKAGED, PACKAGED_FILES, packaged_files
+from verify.wire.packaged import PACKAGED, PACKAGED_FILES, packaged_files
 from verify.wire.write import write
 
 CERTIFICATES = Path(__file__).parents[2] / "certificates"

@@ -580,3 +580,65 @@ def test_alternatives_among_givens_and_claims_are_decided() -> None:
     files = write(outcome)
     checked = check.check(files["statement.json"], files["certificate.json"], {})
     assert checked.rows == verdicts
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "says", "never"),
+    [
+        ("a.fpcore", "(FPCore (x) :pre (<= 1 x 0x1p3) x)", "no number", "declare"),
+        ("a.fpcore", "(FPCore (x) :pre (<= 1 x 2) (+ x .5.))", "no number", "declare"),
+        ("a.fpcore", "(FPCore (x) :pre (<= 1 x INFINITY) x)", "is not read", "declare"),
+        ("a.fpcore", "(FPCore (x) :pre (<= 1 x 2) (exp2 x))", "is not read", "did you mean"),
+        ("a.fpcore", "(FPCore (x) :pre (<= 1 x 2) (fma x x x))", "is not read", "did you mean"),
+        ("a.fpcore", "(FPCore (x) :pre (<= 1 x 2) (+ x zeta))", "arguments", "declare"),
+        ("a.fpcore", "(FPCore (x) :Pre (<= 1 x 2) :pre (<= 1 x 3) x)", "line 1", "twice"),
+        ("a.fpcore", "(FPCore (x) :pre (<= 1 x 2) (! :pre (<= 1 x 1) x))", "line 1", "declare"),
+        (
+            "a.toml",
+            (
+                'title = "t"\n[contexts.c]\nvariables = ["w", "z"]\n'
+                'given = "0 <= w <= 1, 0 <= z"\n'
+                '[rows]\na = {in = "c", claim = "w <= 2"}\n'
+            ),
+            "in a list",
+            "write a point",
+        ),
+    ],
+)
+def test_what_cannot_be_read_is_refused_with_its_remedy(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    name: str,
+    text: str,
+    says: str,
+    never: str,
+) -> None:
+    path = tmp_path / name
+    path.write_text(text)
+    assert main(["prove", str(path)]) == 2
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n")) == ("", 1)
+    assert says in err
+    assert never not in err
+
+
+LARGE_AND_SMALL = [
+    ("1 x 1e300) (* x (* x x))", 0),
+    ("1e-300 x 1e-200) (* x (* x x))", 0),
+    ("1 x 1e300) (/ x (* x x))", 0),
+    ("0 x 1000) (exp x)", 0),
+    ("0 x 1) (* 1e-300 (* x (* 1e-300 1e600)))", 0),
+    ("0 x 1) (- (+ x 1e20) 1e20)", 0),
+    ("1e400 x 2e400) x", 0),
+    ("1/3 x 1/2) (sqrt (- x 1/3))", 0),
+    ("1 x 1e300) (exp x)", 2),
+    ("0 x 1) (/ 1 x)", 2),
+]
+
+
+@pytest.mark.parametrize(("text", "code"), LARGE_AND_SMALL)
+def test_ranges_of_large_and_small_values_are_true(tmp_path: Path, text: str, code: int) -> None:
+    """They are read exactly, or refused; a bound that leaves out a value would be refuted."""
+    path = tmp_path / "a.fpcore"
+    path.write_text(f"(FPCore (x) :pre (<= {text})")
+    assert main(["prove", str(path)]) == code

@@ -43,6 +43,7 @@ USAGE_ERROR = 2
 OWN_ERROR = 5
 INTERRUPTED = 130
 PIPE_CLOSED = 141
+TERMINATED = 143
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -146,4 +147,5 @@ _EXIT_CODES = {
     OWN_ERROR: "our own error: a proof that the checker does not accept, or too little memory",
     INTERRUPTED: "interrupted",
     PIPE_CLOSED: "the reader of the output has left",
+    TERMINATED: "asked to end (SIGTERM)",
 }

@@ -102,10 +102,10 @@ def _print_report(found: Sequence[CheckedFolder], *, latex: bool, full: bool) ->
         why = "not a statement of the program" if judged.own is False else judged.lines[-1]
         print(f"verify: {judged.folder.path}: {why}"[:300], file=sys.stderr)
     if not refused:
-        from verify.paper.commands.whole import whole  # loaded only where they are used
+        from verify.paper.commands.repaired_theorem import whole  # loaded only where they are used
         from verify.paper.parameters import ALL_PARAMETERS
         from verify.paper.source import PAPER
-        from verify.views.everywhere import latex as theorem_tex
+        from verify.views.all_parameters import latex as theorem_tex
         from verify.views.markdown import report
         from verify.views.tex.article import tex_document
         from verify.wire.judge import read_judged

@@ -10,6 +10,7 @@ from verify.paper.commands.pages import accepted
 from verify.paper.meaning import MEANING
 from verify.paper.source import PAPER
 from verify.prover.outcome import EXIT_CODES
+from verify.spheres.parameters import restitution
 from verify.views.classification import (
     classification_document,
     meaning_lines,
@@ -18,7 +19,6 @@ from verify.views.classification import (
     theorem_lines,
 )
 from verify.views.row_lists import screen
-from verify.wire.inputs import restitution
 
 USAGE = Usage(
     {"--r R": "what the theorems say at R in ]0,1[ (exact: 0.08, 2/25 or 8e-2)", **claims.OPTIONS}

@@ -21,8 +21,9 @@ from verify.cli.proofs import (
 )
 from verify.cli.terminal import show
 from verify.language.record import TYPE_CHECKING
+from verify.paper.parameters import AS_PRINTED
 from verify.wire.inputs import InputError, regular_file, shown
-from verify.wire.packaged import AS_PRINTED, PACKAGED_FILES
+from verify.wire.packaged import PACKAGED_FILES
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

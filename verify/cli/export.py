@@ -34,11 +34,14 @@ def run(options: Options) -> int:
     (folder,) = found
     if options.system == "text":
         return _print_page(folder, options)
-    from verify.wire.coq.export import export  # loaded only where it is used
+    from verify.spheres.coq.motion import about_balls  # loaded only where they are used
+    from verify.wire.coq.export import export
     from verify.wire.coq.reading import NotAcceptedError
 
     try:
-        text = export(folder, ordinary=options.readable, balls=options.balls)
+        text = export(
+            folder, ordinary=options.readable, ending=about_balls if options.balls else None
+        )
     except NotAcceptedError as error:
         what = "cannot be exported"
         reason = " ".join(str(error).split())[:300]

@@ -18,12 +18,13 @@ from verify.paper.parameters import PRINTED
 from verify.paper.source import PAPER
 from verify.prover.decimals import exact_number
 from verify.prover.outcome import EXIT_CODES, conjunction
-from verify.wire.inputs import InputError, integer, interval, neg_cos, positive, restitution
+from verify.spheres.parameters import neg_cos, restitution
+from verify.wire.inputs import InputError, integer, interval, positive
 
 if TYPE_CHECKING:
     from typing import Any
 
-    from verify.views.material import ScannedPoint
+    from verify.views.findings import ScannedPoint
 
 #: So many points of a grid are given to a process at a time.
 TOGETHER = 50
@@ -46,7 +47,7 @@ def _everywhere(options: Options) -> int:
         thresholds,
     )
     from verify.paper.commands.citing import verdicts_as_printed
-    from verify.views import everywhere as view
+    from verify.views import all_parameters as view
     from verify.views.document import claims_document
 
     printed = options.constants == PRINTED
@@ -63,10 +64,10 @@ def _everywhere(options: Options) -> int:
             where = pages.accepted("thresholds")
             shares = thresholds.all_shares(where)
             return view.printed_screen(outcome, where, shares, PAPER, verdicts)
-        from verify.paper.commands.whole import whole
-        from verify.views.everywhere import constants_and_set
+        from verify.paper.commands.repaired_theorem import whole
+        from verify.paper.parameters import AS_PRINTED
+        from verify.views.all_parameters import constants_and_set
         from verify.wire.judge import packaged
-        from verify.wire.packaged import AS_PRINTED
 
         as_printed = packaged(AS_PRINTED)
         return view.screen(outcome, PAPER, verdicts, as_printed, constants_and_set(whole()))
@@ -86,7 +87,7 @@ def _box(options: Options) -> int:
     test_folder("--out", options.out, "statement.json", "certificate.json")
     from verify.paper.commands import box  # loaded only where they are used
     from verify.views import box as view
-    from verify.views.material import ParameterBox
+    from verify.views.findings import ParameterBox
 
     found = box.answer(ParameterBox(r, c), v_0, delta_theta)
     if options.out is not None and found.verdict == UNDECIDED:

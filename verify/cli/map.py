@@ -27,16 +27,8 @@ from verify.language.record import TYPE_CHECKING
 from verify.spheres.map.axes import axis_in, interval_in, plane_in
 from verify.spheres.map.planes import Phi, Plane
 from verify.spheres.map.strip import BorderStrip
-from verify.wire.inputs import (
-    InputError,
-    integer,
-    neg_cos,
-    positive,
-    rational,
-    restitution,
-    share,
-    shown,
-)
+from verify.spheres.parameters import neg_cos, restitution
+from verify.wire.inputs import InputError, integer, positive, rational, share, shown
 
 if TYPE_CHECKING:
     from typing import Any, BinaryIO

@@ -11,9 +11,10 @@ from functools import cache, partial
 from verify.cli.files import read_bytes
 from verify.cli.terminal import progress
 from verify.paper.commands import index
+from verify.paper.parameters import ALL, AS_PRINTED
 from verify.prover.outcome import Outcome
 from verify.wire.inputs import InputError, shown
-from verify.wire.packaged import ALL, AS_PRINTED, PACKAGED_FILES, packaged_files
+from verify.wire.packaged import PACKAGED_FILES, packaged_files
 
 #: The statement whose proof is shown where nobody names one.
 MAIN = ALL

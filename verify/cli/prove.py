@@ -15,9 +15,9 @@ from verify.cli.steps import Steps
 from verify.cli.terminal import show
 from verify.language.statement import NEEDED, PRINTED, UNDECIDED, Obligation, Statement
 from verify.language.terms import Claim
-from verify.paper.source import PAPER
 from verify.prover.budget import WORK, WorkBudget
 from verify.prover.outcome import Outcome
+from verify.publication import NOBODYS, Publication
 from verify.views.prove import decided_document, decided_lines
 from verify.wire.inputs import InputError, TooDeepError, integer, nearest, rational, shown
 from verify.wire.questions import all_cites, decide_page, read_page_of
@@ -47,7 +47,8 @@ def run(options: Options) -> int:
     test_folder("--out", options.out, "statement.json", "certificate.json", "report.md")
     page = read_page_of(options.STATEMENT, content, cited)
     statement = _chosen(page.statement, options.rows)
-    page = page._replace(statement=statement)
+    if options.rows is not None:
+        page = page.with_rows(statement.obligations)
     if options.rows is not None and options.out is not None:
         _keep_more(options.out, statement)
     steps = Steps(len(statement.obligations))
@@ -66,8 +67,23 @@ def run(options: Options) -> int:
     if options.json:
         print_document(decided_document(outcome))
     else:
-        show(decided_lines(outcome, PAPER, numbers=options.verbose), options)
-    return INTERRUPTED if budget.interrupted else outcome.exit_code
+        show(decided_lines(outcome, _publication(outcome), numbers=options.verbose), options)
+    if budget.interrupted:
+        print("verify: interrupted", file=sys.stderr)
+        return INTERRUPTED
+    return outcome.exit_code
+
+
+def _publication(outcome: Outcome) -> Publication:
+    """The paper, which has a name for some labels and citations; nobody's where there is none."""
+    statement = outcome.statement
+    labels = [row.label for row in statement.obligations]
+    labels += [assumption.label for assumption in statement.assumptions]
+    if not statement.cites and not any(labels):
+        return NOBODYS
+    from verify.paper.source import PAPER  # loaded only where it is used
+
+    return PAPER
 
 
 def _chosen(statement: Statement, names: str | None) -> Statement:
@@ -131,7 +147,8 @@ def _write(directory: str, outcome: Outcome) -> None:
         if row.name not in unwritten
     ]
     if not any(row.role == NEEDED for row in rows) or outcome.spent:
-        print("verify: no needed row is decided; no certificate was written", file=sys.stderr)
+        why = outcome.spent or "no needed row is decided"
+        print(f"verify: --out: {why}; no certificate was written", file=sys.stderr)
         return
     for row in undecided:
         if row.name not in unwritten and row.role == PRINTED:
@@ -144,7 +161,7 @@ def _write(directory: str, outcome: Outcome) -> None:
     kept = {row.name: outcome.decisions[row.name] for row in rows}
     statement = outcome.statement._replace(obligations=tuple(rows))
     written = outcome._replace(statement=statement, decisions=kept)
-    told = {"report.md": report(written, PAPER).encode()}
+    told = {"report.md": report(written, _publication(written)).encode()}
     write_certificate("--out", directory, written, told)
 
 

@@ -17,6 +17,7 @@ from verify.cli.options import Options, Usage, leave_out
 from verify.cli.terminal import show
 from verify.language.errors import UnreadError
 from verify.spheres.limit_map import Parameters
+from verify.spheres.parameters import neg_cos, restitution
 from verify.spheres.separatrix import DRAWN_DIGITS, Separatrix, decide_separatrix, staircase
 from verify.views.separatrix import (
     curves_document,
@@ -26,16 +27,7 @@ from verify.views.separatrix import (
     theorem_document,
     theorem_screen,
 )
-from verify.wire.inputs import (
-    InputError,
-    integer,
-    interval,
-    neg_cos,
-    positive,
-    rational,
-    restitution,
-    shown,
-)
+from verify.wire.inputs import InputError, integer, interval, positive, rational, shown
 
 MAX_DIGITS, MAX_BUDGET, MAX_STEPS = 1000, 10**8, 50
 #: At how many places each of several curves is decided for a picture.

@@ -9,9 +9,10 @@ from verify.cli.files import test_folder
 from verify.cli.options import Options, Usage
 from verify.paper.commands.spectrum import cite_spectrum
 from verify.paper.source import PAPER
+from verify.spheres.parameters import restitution
 from verify.views.row_lists import screen
 from verify.views.spectrum import point_document, point_lines, spectrum_document, verdict_line
-from verify.wire.inputs import integer, interval, restitution
+from verify.wire.inputs import integer, interval
 
 MAX_PRECISION = 1 << 22
 

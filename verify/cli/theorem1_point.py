@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from verify.cli.options import Options
 from verify.language.terms import Term, as_term
-from verify.wire.inputs import InputError, angle, neg_cos, positive, restitution
+from verify.spheres.parameters import angle, neg_cos, restitution
+from verify.wire.inputs import InputError, positive
 
 #: What options have that are not given.
 DEFAULTS = {

@@ -7,17 +7,14 @@ accepts that or not. Nothing here decides anything.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 
 from verify.language.record import Record
 from verify.language.statement import (
-    NEEDED,
     Always,
     Applies,
-    Assumption,
     Context,
-    Obligation,
     Statement,
 )
 from verify.language.terms import Claim, Term
@@ -44,11 +41,6 @@ def plus(*values: Factor) -> Value:
 def power(value: Factor, exponent: int) -> Value:
     """A power of a number that is >= 0."""
     return ("pow", _value(value), exponent)
-
-
-def square(term: Term) -> Value:
-    """The square of any term."""
-    return ("square", term)
 
 
 class BySum(Record):
@@ -157,21 +149,14 @@ Reason = (
 )
 
 
-def proof(*addends: Factor, using: str = "", equations: tuple[tuple[str, Term], ...] = ()) -> BySum:
-    """The addends besides the negated claim itself; ``using`` has names with spaces between."""
-    return BySum(("goal", *map(_value, addends)), tuple(using.split()), equations)
+def proof(*addends: Factor) -> BySum:
+    """The addends besides the negated claim itself."""
+    return BySum(("goal", *map(_value, addends)))
 
 
-def scaled(
-    goal: Value, *addends: Factor, using: str = "", equations: tuple[tuple[str, Term], ...] = ()
-) -> BySum:
+def scaled(goal: Value, *addends: Factor) -> BySum:
     """The same where the negated claim enters in a product."""
-    return BySum((goal, *map(_value, addends)), tuple(using.split()), equations)
-
-
-def identity(using: str = "", equations: tuple[tuple[str, Term], ...] = ()) -> BySum:
-    """An equation that holds after replacing atoms, or by adding multiples of equations."""
-    return BySum((), tuple(using.split()), equations)
+    return BySum((goal, *map(_value, addends)))
 
 
 class Line(Record):
@@ -216,27 +201,3 @@ class Argument(Record):
 
     statement: Statement
     chapters: tuple[Chapter, ...]
-
-
-def argue(
-    theorem: str, title: str, chapters: Iterable[Chapter], assumptions: tuple[Assumption, ...]
-) -> Argument:
-    """The statement whose contexts and obligations are those of the chapters, in their order."""
-    chapters = tuple(chapters)
-    contexts = tuple(
-        item.context for chapter in chapters for item in chapter.items if isinstance(item, Opened)
-    )
-    rows = tuple(
-        row_of(item, theorem, chapter.context)
-        for chapter in chapters
-        for item in chapter.items
-        if isinstance(item, Line) and item.says
-    )
-    return Argument(Statement(theorem, title, {}, (), contexts, rows, assumptions), chapters)
-
-
-def row_of(line: Line, group: str, context: str | None) -> Obligation:
-    """The obligation that a line states."""
-    return Obligation(
-        line.name, group, line.label, NEEDED, line.says, line.claim, line.uses, context=context
-    )

@@ -30,7 +30,8 @@ from verify.prover.constants import MAX_BITS
 from verify.prover.outcome import Ends, Outcome
 from verify.prover.program import ExactArithmetic
 from verify.prover.proof import OpenStep
-from verify.wire.inputs import angle, rational
+from verify.spheres.parameters import angle
+from verify.wire.inputs import rational
 from verify.wire.questions import decide, read_page_of
 
 #: The independent computation has this many bits more than the precision that was needed.

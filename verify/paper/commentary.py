@@ -7,11 +7,13 @@ the table `paper | needed | why`. Remarks stand where no inequality decides.
 
 from __future__ import annotations
 
-from verify.language.statement import Change
-from verify.paper.initial_data import D_0, DELTA, ETA, X_0, ZETA
 from verify.paper.parameters import THEOREM
-from verify.paper.recursion import X_LINK
 from verify.paper.rows import Cause, Remark
+from verify.publication import Change
+
+X_0, X_LINK = "EQUATSS4.1DescrDoIniColla", "EQUATSS4.1Lien_x_n_&_y_n_"
+DELTA, ETA = "EQUATSS4.1DefinDeltxDelty", "EQUATSS4.1DefinBorne_Eta_"
+ZETA, D_0 = "EQUATSS4.1DefinBorne_Zeta", "EQUATSS4.1DefinBorne_d_0_"
 
 CAUSES = (
     Cause(("hypotheses.angle-as-printed", "printed.second-assumption-as-printed"),

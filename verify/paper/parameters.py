@@ -6,12 +6,16 @@ of the final angle (in -cos), ``V_0`` the lower bound on the squared relative sp
 
 from __future__ import annotations
 
-from verify.language.statement import HYPOTHESES as HYPOTHESES
 from verify.language.statement import PRINTED as PRINTED
-from verify.language.statement import REPAIRED as REPAIRED
 from verify.language.terms import symbol
+from verify.publication import HYPOTHESES as HYPOTHESES
+from verify.publication import REPAIRED as REPAIRED
 
 THEOREM = "THEORSS4.1ExistenCollapse"
+#: Folders of certificates: the one for all parameters; those about the theorem as printed, its set
+#: with > for <, and that with < it is false; and the rows of the printed set, some refuted.
+ALL, AS_PRINTED = "theorem1-all", "printed"
+PRINTED_SET, PRINTED_SIGN = "printed-set", "printed-sign"
 #: The name of the theorem that is proved for all of them at once.
 ALL_PARAMETERS = f"{THEOREM} for all parameters"
 PARAMETERS = ("r", "c", "V_0", "delta_theta")

@@ -17,21 +17,15 @@ from verify.language.errors import OwnError
 from verify.language.fold import RATIONAL, MissingOperationError, fold
 from verify.language.record import Record
 from verify.language.statement import Constant
-from verify.language.terms import Claim, Term, equal, minimum, sqrt, substitute, substitute_claim
-from verify.paper.initial_data import (
-    V_1,
-    C_eta,
-    ConstantSet,
-    alpha_0,
-    delta_1,
-    delta_2,
-    delta_3,
-    delta_4,
-    delta_5,
-    h_4,
-    h_5,
-    phi_minus,
-    phi_plus,
+from verify.language.terms import (
+    Claim,
+    Term,
+    equal,
+    minimum,
+    sqrt,
+    substitute,
+    substitute_claim,
+    symbol,
 )
 from verify.paper.parameters import PRINTED, THEOREM, V_0, c, delta_theta, r
 
@@ -44,7 +38,17 @@ class AsPrinted(Record):
     printed: Claim
 
 
-k = ConstantSet(PRINTED)
+alpha_0, phi_minus, phi_plus, C_eta, h_4, h_5, V_1 = map(
+    symbol, ("alpha_0", "phi_minus", "phi_plus", "C_eta", "h_4", "h_5", "V_1")
+)
+delta_1, delta_2, delta_3, delta_4, delta_5 = (symbol(f"delta_{i}") for i in range(1, 6))
+delta_x, delta_y, x_0, Delta_theta, eta_bar, zeta_bar, d_bar, d_const, d_slope, T_star = (
+    symbol(f"{PRINTED}.{name}")
+    for name in (
+        *("delta_x", "delta_y", "x_0", "Delta_theta", "eta_bar", "zeta_bar"),
+        *("d_bar", "d_const", "d_slope", "T_star"),
+    )
+)
 half = Fraction(1, 2)
 root_2, root_V_1 = sqrt(2), sqrt(V_1)
 
@@ -63,47 +67,47 @@ DEFINITIONS = (
         equal(h_5, half * (1 - phi_minus / (alpha_0 - phi_minus) ** 2))),
     AsPrinted(THEOREM, delta_5, equal(phi_minus / (alpha_0 - (phi_minus + delta_5)) ** 2, 1 - h_5)),
     AsPrinted("EQUATSS4.1Recurrence_Cnd5", V_1, equal(V_1 / V_0, (1 - h_5 / 2) / (1 - h_5))),
-    AsPrinted("EQUATSS4.1DefinDeltxDelty", k.delta_x,
-        equal(k.delta_x, minimum(delta_1, delta_2, delta_3, delta_4, delta_5))),
-    AsPrinted("EQUATSS4.1DefinDeltxDelty", k.delta_y, equal(k.delta_x, k.delta_y)),
-    AsPrinted("EQUATSS4.1DescrDoIniColla", k.x_0,
-        equal(k.x_0, minimum((1 - h_4) * k.delta_x, V_0 / V_1 * (delta_2**2 * h_5 / 12)))),
-    AsPrinted("EQUATSS4.1DescrDoIniColla", k.Delta_theta,  # |cos θ₀|/2, and -cos θ₀ > 0
-        equal(k.Delta_theta, minimum(c / 2, h_4 / 8 * k.delta_x, delta_theta))),
-    AsPrinted("EQUATSS4.1DefinBorne_Eta_", k.eta_bar,
-        equal(k.eta_bar, minimum(
+    AsPrinted("EQUATSS4.1DefinDeltxDelty", delta_x,
+        equal(delta_x, minimum(delta_1, delta_2, delta_3, delta_4, delta_5))),
+    AsPrinted("EQUATSS4.1DefinDeltxDelty", delta_y, equal(delta_x, delta_y)),
+    AsPrinted("EQUATSS4.1DescrDoIniColla", x_0,
+        equal(x_0, minimum((1 - h_4) * delta_x, V_0 / V_1 * (delta_2**2 * h_5 / 12)))),
+    AsPrinted("EQUATSS4.1DescrDoIniColla", Delta_theta,  # |cos θ₀|/2, and -cos θ₀ > 0
+        equal(Delta_theta, minimum(c / 2, h_4 / 8 * delta_x, delta_theta))),
+    AsPrinted("EQUATSS4.1DefinBorne_Eta_", eta_bar,
+        equal(eta_bar, minimum(
             1,
             (root_2 - 1) / 16 * (V_0 / root_V_1),
-            V_0 / (33 * root_V_1) * k.Delta_theta,
+            V_0 / (33 * root_V_1) * Delta_theta,
             (1 - C_eta) * (V_1 - V_0) / (12 * (root_V_1 + 2)),
             V_0 / root_V_1
             * (2 / (15 * alpha_0) + h_4 * delta_2 / 6 + h_4 / (12 * alpha_0) + h_4 / 24)
-            * k.delta_x))),
-    AsPrinted("EQUATSS4.1DefinBorne_Zeta", k.zeta_bar,
-        equal(k.zeta_bar, minimum(
+            * delta_x))),
+    AsPrinted("EQUATSS4.1DefinBorne_Zeta", zeta_bar,
+        equal(zeta_bar, minimum(
             2 * (root_2 - 1),
             V_0 * h_5 / (3 * V_1 * (alpha_0 + 8 * V_1 / V_0)) * delta_2**2,
-            Fraction(1, 16) * (1 + 4 * delta_2 + V_0 / V_1) * h_4 * k.delta_x))),
-    AsPrinted("EQUATSS4.1DefinBorne_d_0_", k.d_bar,  # at |η_{c,0}| = η̄
-        equal(k.d_bar, minimum(
+            Fraction(1, 16) * (1 + 4 * delta_2 + V_0 / V_1) * h_4 * delta_x))),
+    AsPrinted("EQUATSS4.1DefinBorne_d_0_", d_bar,  # at |η_{c,0}| = η̄
+        equal(d_bar, minimum(
             (root_2 - 1) / 4,
-            k.Delta_theta / 3,
-            Fraction(1, 5) * (1 + delta_2 * h_4) * k.delta_x,
-            Fraction(1, 4) * (1 + 2 * delta_2) * h_4 * k.delta_x,
-            k.zeta_bar / (2 * V_1) * k.eta_bar**2))),
+            Delta_theta / 3,
+            Fraction(1, 5) * (1 + delta_2 * h_4) * delta_x,
+            Fraction(1, 4) * (1 + 2 * delta_2) * h_4 * delta_x,
+            zeta_bar / (2 * V_1) * eta_bar**2))),
 )  # fmt: skip
 
 #: Parts of the paper's d̄ that have a name here only, and a bound that the paper leaves out.
-PARTS_OF_D_BAR = (k.d_const, k.d_slope)
-NOT_IN_THE_PAPER = (*PARTS_OF_D_BAR, k.T_star)
+PARTS_OF_D_BAR = (d_const, d_slope)
+NOT_IN_THE_PAPER = (*PARTS_OF_D_BAR, T_star)
 
 #: Numbers for the names: α₀²-4r, r/(1-h₄), φ⁻/(1-h₅) and V₁ are squares; the rest has no meaning.
 NUMBERS = {
     r: "3/100", c: "2/7", V_0: "5/3", delta_theta: "11/13", alpha_0: "19/40", phi_minus: "3/40",
     phi_plus: "23/47", delta_1: "29/31", delta_2: "37/41", delta_3: "43/53", delta_4: "59/61",
-    delta_5: "67/71", C_eta: "73/79", h_4: "1/4", h_5: "7/10", V_1: "9/4", k.delta_x: "83/89",
-    k.delta_y: "97/101", k.x_0: "103/107", k.Delta_theta: "109/113", k.eta_bar: "127/131",
-    k.zeta_bar: "137/139", k.d_bar: "149/151",
+    delta_5: "67/71", C_eta: "73/79", h_4: "1/4", h_5: "7/10", V_1: "9/4", delta_x: "83/89",
+    delta_y: "97/101", x_0: "103/107", Delta_theta: "109/113", eta_bar: "127/131",
+    zeta_bar: "137/139", d_bar: "149/151",
 }  # fmt: skip
 
 #: How the parameters are written.
@@ -124,18 +128,18 @@ def complaints(constants: Mapping[str, Constant]) -> Iterator[str]:
     """What is wrong with the constants, in the paper's order."""
     at = {term: Fraction(number) for term, number in NUMBERS.items()}
     parts = {part.name: constants[part.name].term for part in PARTS_OF_D_BAR}
-    for label, symbol, printed in DEFINITIONS:
-        own = constants[symbol.name]
+    for label, constant, printed in DEFINITIONS:
+        own = constants[constant.name]
         term = substitute(own.term, parts)
         if own.label != label:
             yield f"{own.letter} belongs to {label} in the paper, and to {own.label} here"
-        elif not _holds(substitute_claim(printed, {symbol.name: term}), at):
+        elif not _holds(substitute_claim(printed, {constant.name: term}), at):
             from verify.language.typeset import Typesetter  # loaded only where it is used
 
             write = Typesetter(LETTERS | {name: known.letter for name, known in constants.items()})
             yield (
                 f"{own.letter} ({label}) is not the paper's: the paper has "
-                f"{write.claim(printed)}, and this program has {write.claim(equal(symbol, term))}"
+                f"{write.claim(printed)}, and this program has {write.claim(equal(constant, term))}"
             )
 
 

@@ -1,24 +1,22 @@
-"""How a row is written down: one call for each kind of row.
+"""What is said of rows of the print that are false: why, and how bad it is.
 
-The name of a row is unique in its statement; the group that it belongs to is a field. What a row
-says of itself is fixed here, before anything is decided. So is its severity where it concerns the
-wording; whether a step that is false breaks the argument follows from the verdicts, by `graded`.
+What a row says of itself is fixed on its page, before anything is decided. So is its severity where
+it concerns the wording; whether a step that is false breaks the argument follows from the verdicts,
+by `graded`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from functools import partial
+from collections.abc import Mapping
 
 from verify.language.record import Record
-from verify.language.statement import BREAKS as BREAKS
-from verify.language.statement import HARMLESS as HARMLESS
-from verify.language.statement import NEEDED, PRINTED, PROVED, Always, Applies, Obligation
-from verify.language.statement import OTHERWISE as OTHERWISE
-from verify.language.statement import REMARK as REMARK
-from verify.language.statement import SEVERITIES as SEVERITIES
-from verify.language.statement import SLIP as SLIP
-from verify.language.terms import Claim
+from verify.language.statement import PROVED, Obligation
+from verify.publication import BREAKS as BREAKS
+from verify.publication import HARMLESS as HARMLESS
+from verify.publication import OTHERWISE as OTHERWISE
+from verify.publication import REMARK as REMARK
+from verify.publication import SEVERITIES as SEVERITIES
+from verify.publication import SLIP as SLIP
 
 
 class Cause(Record):
@@ -33,51 +31,6 @@ class Remark(Record):
 
     label: str
     text: str
-
-
-def _row(
-    role: str,
-    name: str,
-    label: str,
-    says: str,
-    claim: Claim | Applies | Always,
-    uses: Iterable[str] = (),
-    *,
-    group: str,
-    context: str | None = None,
-) -> Obligation:
-    return Obligation(name, group, label, role, says, claim, tuple(uses), context=context)
-
-
-#: A row that has to hold: a premise of the step, or the paper's own way to what that proves.
-needed = partial(_row, NEEDED)
-#: A row of the paper against which nothing is known.
-printed = partial(_row, PRINTED)
-
-
-def misprint(
-    name: str,
-    label: str,
-    says: str,
-    claim: Claim | Applies | Always,
-    severity: str,
-    corrected_by: str,
-    uses: Iterable[str] = (),
-    *,
-    group: str,
-    context: str | None = None,
-) -> Obligation:
-    """A row of the paper that is refuted, at least for some parameters.
-
-    ``severity`` is how bad that is, ``corrected_by`` the name of the row that replaces it.
-
-    Raises:
-        ValueError: if the severity is not one of `SEVERITIES`.
-    """
-    if severity not in SEVERITIES:
-        raise ValueError(f"row {name}: {severity!r} is not one of {', '.join(SEVERITIES)}")
-    row = printed(name, label, says, claim, uses, group=group, context=context)
-    return row._replace(severity=severity, corrected_by=corrected_by)
 
 
 def graded(row: Obligation, verdicts: Mapping[str, str]) -> Obligation:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import os
 from functools import cache
 
-from verify.language.statement import PRINTED, REPAIRED, Constant, Notes, Publication
+from verify.language.statement import PRINTED, Constant
 from verify.paper.in_coq import CITED_IN_COQ, IN_COQ, WHOLE_IN_COQ
 from verify.paper.parameters import THEOREM
+from verify.publication import REPAIRED, Notes, Publication
 
 TABLE = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data", "numbers.json")
 _START = '"numbers": '

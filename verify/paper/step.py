@@ -11,7 +11,6 @@ from collections.abc import Mapping
 
 from verify.language.statement import NEEDED, Applies, Obligation
 from verify.language.terms import Claim, Term, equal, symbol
-from verify.paper.initial_data import C_eta, ConstantSet, gap, phi_minus
 from verify.paper.parameters import HYPOTHESES, REPAIRED, THEOREM, V_0, r
 
 #: The step's name where it is cited, and its context of numbers.
@@ -31,14 +30,15 @@ MEANING: Mapping[str, Term] = {
     **{name: symbol(f"{REPAIRED}.{name}") for name in OWN.split()},
 }
 
-_k = ConstantSet(REPAIRED)
+_gap = MEANING["alpha_0"] - MEANING["phi_minus"]
+_decay = 1 - MEANING["C_eta"]
 #: What the step needs of the constants and is neither a row nor a definition.
 BETWEEN: Mapping[str, Claim] = {
-    "V_1-positive": 0 < _k.V_1,
-    "decay-positive": 0 < 1 - C_eta,
-    "decay-speed-positive": 0 < V_0 * (1 - C_eta),
-    "gap-square-positive": 0 < (gap - _k.delta_y) ** 2,
-    "r-product": equal(r, phi_minus * gap),
+    "V_1-positive": 0 < MEANING["V_1"],
+    "decay-positive": 0 < _decay,
+    "decay-speed-positive": 0 < V_0 * _decay,
+    "gap-square-positive": 0 < (_gap - MEANING["delta_y"]) ** 2,
+    "r-product": equal(r, MEANING["phi_minus"] * _gap),
 }
 
 #: The constants that givens define.

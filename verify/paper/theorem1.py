@@ -1,18 +1,26 @@
-"""`THEORSS4.1ExistenCollapse`, assembled: constants, obligations, assumptions."""
+"""`THEORSS4.1ExistenCollapse`, as the page `theorem1.toml` states it: constants, rows, assumptions.
+
+The page comes with the program in a compiled form, too, which is taken where it is about the text
+of the page; after any change to the text the page is read.
+"""
 
 from __future__ import annotations
 
+import os
+from collections.abc import Iterable
 from functools import cache
 
 from verify.language.record import Record
-from verify.language.statement import Assumption, Change, Choice, Constant, Obligation
-from verify.paper import initial_data, recursion
-from verify.paper.assumptions import ASSUMPTIONS
-from verify.paper.hypotheses import hypotheses, observations
-from verify.paper.initial_data import CONSTANTS, ConstantSet
-from verify.paper.parameters import HYPOTHESES, PARAMETERS, PRINTED, REPAIRED, THEOREM
-from verify.paper.printed_definitions import check_definitions
+from verify.language.statement import Assumption, Choice, Constant, Obligation
+from verify.paper.parameters import HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.rows import Cause, Remark
+from verify.publication import Change
+from verify.wire.compiled import Compiled, read_compiled
+from verify.wire.packaged import PACKAGED
+
+#: The page, and what is compiled of it.
+PAGE = os.path.join(os.path.dirname(__file__), "theorem1.toml")
+COMPILED = os.path.join(PACKAGED, "theorem1.txt")
 
 
 class Part(Record):
@@ -64,17 +72,58 @@ class Theorem(Record):
 
 @cache
 def theorem() -> Theorem:
-    """The theorem, built once per process.
+    """The theorem, made once per process.
 
     Raises:
+        InputError: if the page was changed and cannot be read.
         OwnError: if a constant is not defined as in the paper.
     """
-    first = (observations, initial_data.rows, recursion.initialization)
-    sections = (*first, recursion.rows, recursion.conclusion)
-    parts = {HYPOTHESES: Part(HYPOTHESES, (), tuple(hypotheses()))}
-    for group in (PRINTED, REPAIRED):
-        k = ConstantSet(group)
-        rows = tuple(row for section in sections for row in section(k))
-        parts[group] = Part(group, tuple(k.constants()), rows)
-    check_definitions((*CONSTANTS, *parts[PRINTED].bounds))
-    return Theorem(THEOREM, PARAMETERS, CONSTANTS, parts, ASSUMPTIONS)
+    with open(PAGE, "rb") as file:
+        content = file.read()
+    found = _at_hand(content) or as_read(content)
+    constants: dict[str, list[Constant | Choice]] = {HYPOTHESES: [], PRINTED: [], REPAIRED: []}
+    for item in found.constants:
+        bound = item.constant if isinstance(item, Choice) else item
+        constants[_group(bound.name)].append(item)
+    common = tuple(item for item in constants.pop(HYPOTHESES) if isinstance(item, Constant))
+    parts = {HYPOTHESES: Part(HYPOTHESES, (), _rows(found.rows, HYPOTHESES))}
+    for group, items in constants.items():
+        parts[group] = Part(group, tuple(items), _rows(found.rows, group))
+    return Theorem(found.theorem, found.parameters, common, parts, found.assumptions)
+
+
+def _at_hand(content: bytes) -> Compiled | None:
+    """What comes with the program, if it is about this text."""
+    try:
+        with open(COMPILED, encoding="utf-8") as file:
+            return read_compiled(file.read(), content)
+    except FileNotFoundError:
+        return None
+
+
+def as_read(content: bytes) -> Compiled:
+    """What a text of the page says.
+
+    Raises:
+        InputError: if it cannot be read.
+        OwnError: if a constant is not defined as in the paper.
+    """
+    from verify.paper.printed_definitions import check_definitions  # loaded only where it is used
+    from verify.wire.text.read_page import read_page
+
+    page = read_page("verify/paper/theorem1.toml", content)
+    said = page.statement
+    check_definitions(constant for constant in said.constants if _group(constant.name) != REPAIRED)
+    constants = tuple(page.choices.get(constant.name, constant) for constant in said.constants)
+    parameters = tuple(said.parameters)
+    return Compiled(said.theorem, parameters, constants, said.obligations, said.assumptions)
+
+
+def _group(name: str) -> str:
+    """The set of a constant; those of both sets stand before them, with the hypotheses."""
+    before, _, _ = name.partition(".")
+    return before if before in (PRINTED, REPAIRED) else HYPOTHESES
+
+
+def _rows(rows: Iterable[Obligation], group: str) -> tuple[Obligation, ...]:
+    return tuple(row for row in rows if row.group == group)

@@ -9,11 +9,19 @@ from typing import Any
 
 from verify.language import argument
 from verify.language.argument import Argument, Chapter, Defined, Line, Opened, Reason
-from verify.language.statement import PROVED, REFUTED, UNDECIDED, Context, Obligation, Statement
+from verify.language.statement import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Constant,
+    Context,
+    Obligation,
+    Statement,
+)
 from verify.language.terms import Claim, Term, names_of
 from verify.prover import rules
 from verify.prover.budget import WorkBudget
-from verify.prover.outcome import Decision, Outcome
+from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Premise, Proof
 from verify.prover.session import ZERO, Session
 
@@ -32,6 +40,8 @@ NOTHING: Mapping[str, Proof] = MappingProxyType({})
 #: Enough for the exact values of the rational numbers at the point of the parameters.
 POINT_BITS = 512
 NUMBER_BITS = 64
+#: Enough for both where numbers have names: some of their differences are as small as 10^-25.
+CONSTANT_BITS = 256
 
 
 def write_down(
@@ -48,9 +58,11 @@ def write_down(
         budget: the work that finding one sum may be.
     """
     writing = Writing(written.statement, at_hand, budget)
+    enclosures = writing.define(written.statement)
     for chapter in written.chapters:
         writing.chapter(chapter)
-    return Outcome(written.statement, writing.decisions, tuple(writing.session.steps), {})
+    steps = tuple(writing.session.steps)
+    return Outcome(written.statement, writing.decisions, steps, enclosures)
 
 
 def proofs_in(outcome: Outcome) -> dict[str, Proof]:
@@ -77,6 +89,9 @@ class Writing:
             for constant in context.constants
         }
         self.givens = {c.name: [g.claim for g in c.givens] for c in statement.contexts}
+        self.has_numbers = bool(statement.constants)
+        bits = (CONSTANT_BITS, CONSTANT_BITS) if self.has_numbers else (POINT_BITS, NUMBER_BITS)
+        self.point_bits, self.number_bits = bits
         self.decisions: dict[str, Decision] = {}
         self.missing: dict[str, str] = {}  # why a line is not shown
 
@@ -87,6 +102,20 @@ class Writing:
 
         return Ground(self.session)
 
+    def define(self, statement: Statement) -> dict[str, Enclosure]:
+        """Define parameters and constants that are numbers; an enclosure of each."""
+        if not self.has_numbers:
+            return {}
+        given = [
+            Constant(name, name, name, "", term) for name, term in statement.parameters.items()
+        ]
+        constants = (*given, *statement.constants)
+        for constant in constants:
+            self.ground.define(constant)
+        definitions = self.ground.definitions
+        found = {c.name: self.ground.enclose(definitions[c.name]) for c in constants}
+        return {name: ends for name, ends in found.items() if ends is not None}
+
     def chapter(self, chapter: Chapter) -> None:
         """Take the items of a chapter, in order."""
         for item in chapter.items:
@@ -95,12 +124,18 @@ class Writing:
             elif isinstance(item, Opened):
                 self.opened(item.context, item.premises)
             elif isinstance(item, Defined):
-                self.session.constant(self.constants[item.name], rules.Define(), chapter.context)
+                self.defined(self.constants[item.name], chapter.context)
 
     def opened(self, context: Context, premises: tuple[str, ...] | None) -> None:
         """Open a context at its point."""
-        numeric: list[Premise] = [rules.Interval(POINT_BITS) for _ in context.givens]
+        numeric = [self.premise(given.claim) for given in context.givens]
+        if not self.has_numbers:
+            numeric = [rules.Interval(self.point_bits) for _ in context.givens]
         self.session.open(context, numeric if premises is None else premises)
+
+    def defined(self, constant: Constant, context: str | None) -> None:
+        """Define a constant of a context."""
+        self.session.constant(constant, rules.Define(), context)
 
     def line(self, line: Line, context: str | None) -> None:
         """Write down a row, or a lemma."""
@@ -133,7 +168,7 @@ class Writing:
             self.missing[line.name] = NO_FACTS
             return None
         if not isinstance(line.reason, argument.ByNames):
-            return proof_of(line.reason)
+            return proof_of(line.reason, self.number_bits)
         found = self._at_hand(line) or self.found(line, context)
         if found is None:
             self.missing[line.name] = NO_SUM
@@ -174,21 +209,20 @@ class Writing:
 
     def refuted(self, row: Obligation, at: Mapping[str, Term]) -> None:
         """Write down that a row is false at a point."""
-        premises = tuple(map(premise, self.givens[row.context or ""]))
-        proof = rules.Witness(at, premises, rules.Interval(NUMBER_BITS))
+        premises = tuple(map(self.premise, self.givens[row.context or ""]))
+        proof = rules.Witness(at, premises, rules.Interval(self.number_bits))
         self.session.prove_row(row, proof, holds=False)
         self.decisions[row.name] = Decision(REFUTED, proof)
+
+    def premise(self, claim: Claim) -> Premise:
+        """Why a given holds at a point: equations identically, between rational numbers."""
+        return rules.Sum() if claim.relation == "=" else rules.Interval(self.point_bits)
 
 
 def _is_ground(line: Line) -> bool:
     """Whether a line compares numbers without names."""
     claim = line.claim
     return isinstance(claim, Claim) and not any(names_of(claim.lhs, claim.rhs))
-
-
-def premise(claim: Claim) -> Premise:
-    """Why a given holds at a point: equations identically, between rational numbers."""
-    return rules.Sum() if claim.relation == "=" else rules.Interval(POINT_BITS)
 
 
 def facts_of(reason: Reason) -> Iterator[str]:
@@ -236,8 +270,8 @@ _SAME: dict[Any, Any] = {
 }
 
 
-def proof_of(reason: Reason) -> Proof:
-    """The proof by the rule of the same name."""
+def proof_of(reason: Reason, bits: int = NUMBER_BITS) -> Proof:
+    """The proof by the rule of the same name; intervals have so many bits."""
     match reason:
         case argument.ByLeast():
             branches = tuple(map(proof_of, reason.branches))
@@ -249,7 +283,7 @@ def proof_of(reason: Reason) -> Proof:
         case argument.ByEntry():
             return rules.Entry(reason.side, reason.equation)
         case argument.ByInterval():
-            return rules.Interval(NUMBER_BITS)
+            return rules.Interval(bits)
         case argument.ToBeFound() | argument.ByWitness() | argument.ByNames():
             raise TypeError("this proof has to be found")
     found: Proof = _SAME[type(reason)](*reason)

@@ -14,6 +14,9 @@ from verify.prover.relations import fails
 
 BITS = 128
 
+#: Denominators that a point is tried at first.
+MOST = (1, 2, 3, 4, 6, 10, 12, 60, 100, 1000, 10**4, 10**6, 10**9, 10**12, 10**15, 10**18, 10**22)
+
 #: How many points are tried that mix the candidates, and then how many corners.
 MAX_POINTS = 64
 MAX_CORNERS = 64
@@ -102,3 +105,37 @@ def failure_test(goal: Goal, enclose: Callable[[str, int], Any]) -> Test:
             return x is not None and y is not None and fails(relation, x, y)
 
     return at_fault
+
+
+def simple_points(
+    point: Sequence[float],
+    bounds: Sequence[tuple[Fraction | None, Fraction | None]],
+    *,
+    inside: bool = True,
+) -> Iterator[list[Fraction]]:
+    """Rational points near a point, the simplest first; strictly inside the bounds if asked for."""
+    for most in MOST:
+        near = [Fraction(x).limit_denominator(most) for x in point]
+        if inside:
+            near = [_at_end(x, *ends) for x, ends in zip(near, bounds, strict=True)]
+            near = [_between(x, *ends, most) for x, ends in zip(near, bounds, strict=True)]
+        yield near
+
+
+def _at_end(value: Fraction, low: Fraction | None, high: Fraction | None) -> Fraction:
+    """A bound that the number is next to, or the number."""
+    for end in (low, high):
+        if end is not None and abs(value - end) * 10**9 <= 1 + abs(end):
+            return end
+    return value
+
+
+def _between(value: Fraction, low: Fraction | None, high: Fraction | None, most: int) -> Fraction:
+    """The number, or one between the bounds that is not farther from it than need be."""
+    width = Fraction(1) if low is None or high is None else high - low
+    width = min(width, Fraction(1))
+    if low is not None and value <= low:
+        return low + width / (2 * most + 1)
+    if high is not None and value >= high:
+        return high - width / (2 * most + 1)
+    return value

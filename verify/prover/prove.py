@@ -26,9 +26,7 @@ from verify.prover.hint import Hint
 from verify.prover.lengths import MAX_BITS
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import Step
-from verify.prover.reasons import hardest, without_value
 from verify.prover.rows_in_contexts import RowsInContexts
-from verify.prover.search.named import Named, by_names
 from verify.prover.search.relevance import facts_around
 from verify.prover.session import Session
 from verify.prover.techniques import find
@@ -36,6 +34,7 @@ from verify.prover.universal import Universal
 
 NOTHING_FOUND = "neither a proof nor an example against it was found"
 
+TRY = "name the facts from which it follows, as by = ..., or write a lemma before it"
 TOO_LONG = f"a number in it has more than {MAX_BITS} bits, which the checker does not read"
 
 #: So often another proof is looked for where the checker cannot afford one.
@@ -44,6 +43,8 @@ NO_HINTS: Mapping[str, Hint] = MappingProxyType({})
 
 #: Why steps that show a row (none: what all rows rest on) are too much for the checker; or nothing.
 Price = Callable[[Obligation | None, str, Sequence[Step]], str]
+#: Opens a context; False if that is not found.
+Opens = Callable[[Universal, Context], bool]
 
 
 def prove(
@@ -66,54 +67,64 @@ def prove(
         hints: where to look for the proofs of some rows, by their names.
         cited: statements with their proved rows, and what their names begin with here.
     """
-    ground = Ground(Session(_unused_prefix(statement)), start_bits, max_bits)
+    ground = Ground(Session(unused_prefix(statement)), start_bits, max_bits)
     universal = Universal(ground, budget or WorkBudget(), find)
     for prefix, other in cited:
         make_known(prefix, other, universal)
-    missing = _opened(statement, universal)
+    missing = constants_defined(statement, universal)
+    for context in statement.contexts:
+        opened(context, universal, missing)
     spent = price(None, "", ground.session.steps)
     rows = statement.obligations
     decisions = {}
     for left, row in zip(range(len(rows), 0, -1), rows, strict=True):
         universal.budget.begin(row.name, left)
         hint = hints.get(row.name, Hint())
-        reason = spent or next((missing[name] for name in _named(row) if name in missing), "")
+        reason = spent or next((missing[name] for name in names_about(row) if name in missing), "")
         decisions[row.name] = (
-            Decision(UNDECIDED, reason=reason) if reason else _hinted(row, universal, price, hint)
+            Decision(UNDECIDED, reason=reason)
+            if reason
+            else decide_row(row, universal, price, hint)
         )
-    names = (*statement.parameters, *(constant.name for constant in statement.constants))
-    enclosures = {} if spent else _enclosures(names, ground, missing)
+    enclosures = {} if spent else enclosures_of(statement, ground, missing)
     spent = spent or next(iter(missing.values()), "")
     return Outcome(statement, decisions, tuple(ground.session.steps), enclosures, spent)
 
 
-def _unused_prefix(statement: Statement) -> str:
-    """What begins the names of lemmas, and no name of the statement."""
+def unused_prefix(statement: Statement, others: Iterable[str] = ()) -> str:
+    """What begins the names of lemmas, and no name of the statement, nor one of the others."""
     prefix = "l"
-    names = [row.name for row in statement.obligations]
+    names = [*others, *(row.name for row in statement.obligations)]
     names += [given.name for context in statement.contexts for given in context.givens]
     while any(re.fullmatch(rf"{prefix}\.[0-9]+", name) for name in names):
         prefix += "l"
     return prefix
 
 
-def _opened(statement: Statement, universal: Universal) -> dict[str, str]:
-    """Define all constants and open all contexts; the names of what could not be, and why."""
-    missing, budget = dict[str, str](), universal.budget
+def constants_defined(statement: Statement, universal: Universal) -> dict[str, str]:
+    """Define all constants without variables; the names of those that could not be, and why."""
+    missing = dict[str, str]()
     parameters = [Constant(n, n, n, "", term) for n, term in statement.parameters.items()]
     for constant in (*parameters, *statement.constants):
-        names: tuple[str, ...] = (*names_of(constant.term),)
-        _note(missing, constant.name, names, partial(_undefined, constant, universal), budget)
-    for context in statement.contexts:
-        universal.budget.refill()
-        names = (context.parent or "", *names_of(*_terms(context)))
-        _note(missing, context.name, names, partial(_unopened, context, universal), budget)
-        if context.name in missing:
-            missing |= {one.name: missing[context.name] for one in context.constants}
+        names = (*names_of(constant.term),)
+        failed = partial(_undefined, constant, universal)
+        note(missing, constant.name, names, failed, universal.budget)
     return missing
 
 
-def _note(
+def opened(
+    context: Context, universal: Universal, missing: dict[str, str], opens: Opens = Universal.open
+) -> None:
+    """Open a context, or note why that could not be."""
+    universal.budget.refill()
+    names = (context.parent or "", *names_of(*_terms(context)))
+    failed = partial(_unopened, context, universal, opens)
+    note(missing, context.name, names, failed, universal.budget)
+    if context.name in missing:
+        missing |= {one.name: missing[context.name] for one in context.constants}
+
+
+def note(
     missing: dict[str, str],
     name: str,
     names: Iterable[str],
@@ -139,19 +150,19 @@ def _undefined(constant: Constant, universal: Universal) -> str:
     return "" if ground.define(constant) else f"{constant.name} {ground.no_value}"
 
 
-def _unopened(context: Context, universal: Universal) -> str:
+def _unopened(context: Context, universal: Universal, opens: Opens) -> str:
     """Why a context could not be opened, or nothing."""
     if universal.lengths.is_too_long(_terms(context), universal.ground.definitions):
         return f"the context {context.name}: {TOO_LONG}"
-    undo, opened = universal.mark(), False
+    undo, is_open = universal.mark(), False
     universal.failed = universal.undefined = None
     try:
-        opened = universal.open(context)
+        is_open = opens(universal, context)
     finally:
-        if not opened:
+        if not is_open:
             undo()
             universal.contexts.pop(context.name, None)
-    if opened:
+    if is_open:
         return ""
     reason = f"the context {context.name} was not seen to have a point"
     failed, undefined = universal.failed, universal.undefined
@@ -166,7 +177,7 @@ def _terms(context: Context) -> tuple[Term, ...]:
     return (*sides, *context.point.values(), *(one.term for one in context.constants))
 
 
-def _named(row: Obligation) -> set[str]:
+def names_about(row: Obligation) -> set[str]:
     """The contexts and the names that a row is about."""
     claim = row.claim
     if isinstance(claim, Claim):
@@ -178,7 +189,7 @@ def _named(row: Obligation) -> set[str]:
     return found | ({row.context} if row.context else set())
 
 
-def _hinted(row: Obligation, universal: Universal, price: Price, hint: Hint) -> Decision:
+def decide_row(row: Obligation, universal: Universal, price: Price, hint: Hint) -> Decision:
     """The decision on a row that may use what its hint says."""
     if hint == Hint() or not isinstance(row.claim, Claim):
         return _priced(row, universal, price)
@@ -201,6 +212,8 @@ def _following(
     row: Obligation, claim: Claim, hint: Hint, universal: Universal, price: Price
 ) -> Decision | None:
     """The decision that a row follows from the facts that are named, if a sum of them is found."""
+    from verify.prover.search.named import Named, by_names  # loaded only where they are used
+
     session, place = universal.session, row.context
     claims = {name: session.claims[name] for name in hint.using or () if name in session.claims}
     universal.budget.refill()
@@ -276,6 +289,8 @@ def _tried(row: Obligation, universal: Universal, price: Price) -> Decision:
 
 def _reason(found: Decision, row: Obligation, universal: Universal) -> str:
     """Why a row is undecided: what was tried, and where it is open."""
+    from verify.prover.reasons import hardest, without_value  # loaded only where they are used
+
     in_context = isinstance(row.claim, Claim) and row.context in universal.contexts
     if isinstance(row.claim, Claim) and in_context and not universal.budget.is_over:
         spent = universal.budget.spent
@@ -287,7 +302,8 @@ def _reason(found: Decision, row: Obligation, universal: Universal) -> str:
             where = ()
     else:
         where = ()
-    return "; ".join((found.reason or NOTHING_FOUND, *universal.reasons, *where))
+    what_to_try = (TRY,) if in_context and not universal.is_restricted else ()
+    return "; ".join((found.reason or NOTHING_FOUND, *universal.reasons, *where, *what_to_try))
 
 
 def _why(error: Exception) -> str:
@@ -315,9 +331,11 @@ def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
     return RowsInContexts(universal).decide(row)
 
 
-def _enclosures(
-    names: tuple[str, ...], ground: Ground, missing: Container[str]
+def enclosures_of(
+    statement: Statement, ground: Ground, missing: Container[str]
 ) -> dict[str, Enclosure]:
+    """The enclosures of parameters and constants that are not missing."""
+    names = (*statement.parameters, *(constant.name for constant in statement.constants))
     known = [name for name in names if name not in missing]
     found = {name: ground.enclose(ground.definitions[name]) for name in known}
     return {name: enclosure for name, enclosure in found.items() if enclosure is not None}

@@ -22,7 +22,6 @@ from verify.prover.proof import Proof
 from verify.prover.relations import negation
 from verify.prover.rules import Applying, Induction, Witness
 from verify.prover.search.question import Question, refuting_minimum
-from verify.prover.search.witnesses import false_points
 from verify.prover.universal import Universal, with_constants
 
 
@@ -120,7 +119,7 @@ class RowsInContexts:
         """Values for the variables of the context at which the claim is false."""
         for at in self._false_points(goal, context):
             undo = self.known.mark()
-            found = self._witness(goal, context, at)
+            found = self.witness(goal, context, at)
             if found is not None:
                 return found
             undo()
@@ -135,9 +134,11 @@ class RowsInContexts:
                 own = {name: found[name] for name in found if name in context.point}
                 yield {**context.point, **own}
         yield context.point
+        from verify.prover.search.witnesses import false_points  # loaded only where it is used
+
         yield from false_points(Question(goal, self.known), context)
 
-    def _witness(self, goal: Goal, context: Context, at: Mapping[str, Term]) -> Witness | None:
+    def witness(self, goal: Goal, context: Context, at: Mapping[str, Term]) -> Witness | None:
         """A proof that the givens hold at some values, and the claim does not."""
         premises = self.known.premises(context, at, context.parent)
         if premises is None:

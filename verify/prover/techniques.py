@@ -4,42 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
+from importlib import import_module
+from typing import Any
 
 from verify.language.record import Record
 from verify.prover.clearing import TooLongError
 from verify.prover.goal import Goal
 from verify.prover.hint import Hint
 from verify.prover.proof import Proof
-from verify.prover.search.arguments_of_functions import by_arguments
-from verify.prover.search.bernstein_boxes import by_bernstein, on_interval
-from verify.prover.search.cosine_parts import by_cosines
-from verify.prover.search.differences import by_differences, by_orders_of_variables
-from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_range, by_root
-from verify.prover.search.enclosures import by_cuts, by_interval
-from verify.prover.search.equations import (
-    by_normal_form,
-    by_whole_powers,
-    squares_on_equations,
-)
-from verify.prover.search.even import by_even_powers
-from verify.prover.search.extrema import by_cases, by_entries
-from verify.prover.search.factors import by_factors
-from verify.prover.search.growth import by_growth
-from verify.prover.search.laws import by_laws, by_products_of_logarithms
-from verify.prover.search.linear import by_linear_sum, by_products, find_ranges
-from verify.prover.search.mean_values import by_mean_values
-from verify.prover.search.multiple_angles import by_multiple_angles
-from verify.prover.search.positive import few_squares, plain_squares, squares
-from verify.prover.search.quadratic import by_completing_squares
 from verify.prover.search.question import Question
 from verify.prover.search.relevance import rounds
-from verify.prover.search.rising import by_monotony, by_powers, by_same_arguments
-from verify.prover.search.signs import by_signs
-from verify.prover.search.squaring import by_squaring
-from verify.prover.search.subterms import by_subterms
-from verify.prover.search.tree import by_tree
-from verify.prover.search.witnesses import is_false
-from verify.prover.search.written_out import by_definitions
 from verify.prover.universal import Universal
 
 #: With more variables than these a goal is not tried again with those that givens link to its own.
@@ -55,79 +29,103 @@ class Technique(Record):
     prove: Callable[[Question], Proof | None]
 
 
+def _from(module: str, function: str, **settings: Any) -> Callable[[Question], Proof | None]:
+    """A function of a module in `search`, which is loaded when it is called first."""
+
+    def prove(question: Question) -> Proof | None:
+        found = import_module(f"verify.prover.search.{module}")
+        proof: Proof | None = getattr(found, function)(question, **settings)
+        return proof
+
+    return prove
+
+
+COSINES = _from("cosine_parts", "by_cosines")
+
+
 def _cosines(question: Question, *, near: bool) -> Proof | None:
-    return by_cosines(question) if question.is_near == near else None
+    return COSINES(question) if question.is_near == near else None
 
 
 #: For what needs no facts on divisors and radicands.
-FREE = (Technique("identity", by_identity), Technique("interval", by_interval))
-LAWS = Technique("laws", by_laws)
+FREE = (
+    Technique("identity", _from("direct", "by_identity")),
+    Technique("interval", _from("enclosures", "by_interval")),
+)
+LAWS = Technique("laws", _from("laws", "by_laws"))
 #: For equations.
 EQUATIONS = (
-    Technique("cosines", by_cosines),
-    Technique("multiple angles", by_multiple_angles),
-    Technique("both orders", by_orders),
+    Technique("cosines", COSINES),
+    Technique("multiple angles", _from("multiple_angles", "by_multiple_angles")),
+    Technique("both orders", _from("direct", "by_orders")),
 )
 #: For what the form of a claim shows, or simple searches.
 SIMPLE = (
-    Technique("root", by_root),
-    Technique("range", by_range),
-    Technique("monotony", by_monotony),
-    Technique("equal arguments", by_same_arguments),
-    Technique("plain squares", plain_squares),
-    Technique("extremum", by_extremum),
-    Technique("signs", by_signs),
-    Technique("coefficients", lambda question: on_interval(question.plain)),
-    Technique("cuts", by_cuts),
-    Technique("completed squares", by_completing_squares),
+    Technique("root", _from("direct", "by_root")),
+    Technique("range", _from("direct", "by_range")),
+    Technique("monotony", _from("rising", "by_monotony")),
+    Technique("equal arguments", _from("rising", "by_same_arguments")),
+    Technique("plain squares", _from("positive", "plain_squares")),
+    Technique("extremum", _from("direct", "by_extremum")),
+    Technique("signs", _from("signs", "by_signs")),
+    Technique("coefficients", _from("bernstein_boxes", "by_coefficients")),
+    Technique("cuts", _from("enclosures", "by_cuts")),
+    Technique("completed squares", _from("quadratic", "by_completing_squares")),
 )
 #: For what follows from all that is linked to a claim, by sums.
-SUMS = (Technique("linear sums", by_linear_sum),)
+SUMS = (Technique("linear sums", _from("linear", "by_linear_sum")),)
 #: The same for claims that seem to be true.
-NORMAL_FORM = Technique("normal form", by_normal_form)
+NORMAL_FORM = Technique("normal form", _from("equations", "by_normal_form"))
 PRODUCTS = (
     NORMAL_FORM,
-    Technique("differences", by_differences),
-    Technique("sums of products", partial(by_products, degree=2)),
-    Technique("orders of variables", by_orders_of_variables),
-    Technique("powers of roots", by_powers),
-    Technique("squares where equations hold", squares_on_equations),
-    Technique("powers of both sides", by_whole_powers),
+    Technique("differences", _from("differences", "by_differences")),
+    Technique("sums of products", _from("linear", "by_products", degree=2)),
+    Technique("orders of variables", _from("differences", "by_orders_of_variables")),
+    Technique("powers of roots", _from("rising", "by_powers")),
+    Technique("squares where equations hold", _from("equations", "squares_on_equations")),
+    Technique("powers of both sides", _from("equations", "by_whole_powers")),
 )
 #: Groups whose lemmas are of no use to others: without a proof they are taken back.
 TIDY = (SUMS, PRODUCTS, (NORMAL_FORM,))
 #: For claims that no estimate refutes.
 SEARCHES = (
     Technique("cosines", partial(_cosines, near=True)),
-    Technique("a small tree", partial(by_tree, leaves=FEW_LEAVES)),
+    Technique("a small tree", _from("tree", "by_tree", leaves=FEW_LEAVES)),
     Technique("cosines", partial(_cosines, near=False)),
-    Technique("definitions written out", by_definitions),
-    Technique("growth", by_growth),
+    Technique("definitions written out", _from("written_out", "by_definitions")),
+    Technique("growth", _from("growth", "by_growth")),
     LAWS,
-    Technique("products of logarithms", by_products_of_logarithms),
-    Technique("multiple angles", by_multiple_angles),
-    Technique("coefficients on few parts", partial(by_bernstein, parts=FEW_PARTS)),
-    Technique("coefficients in squares of variables", by_even_powers),
-    Technique("slopes", partial(by_mean_values, leaves=MANY_LEAVES)),
-    Technique("arguments of functions", by_arguments),
-    Technique("squaring", by_squaring),
-    Technique("factors", by_factors),
-    Technique("few squares", few_squares),
-    Technique("entries", by_entries),
-    Technique("cases", by_cases),
-    Technique("squares", squares),
-    Technique("coefficients on many parts", partial(by_bernstein, parts=MANY_PARTS)),
-    Technique("parts with variables of their own", by_subterms),
-    Technique("a large tree", partial(by_tree, leaves=MANY_LEAVES)),
+    Technique("products of logarithms", _from("laws", "by_products_of_logarithms")),
+    Technique("multiple angles", _from("multiple_angles", "by_multiple_angles")),
+    Technique(
+        "coefficients on few parts", _from("bernstein_boxes", "by_bernstein", parts=FEW_PARTS)
+    ),
+    Technique("coefficients in squares of variables", _from("even", "by_even_powers")),
+    Technique("slopes", _from("mean_values", "by_mean_values", leaves=MANY_LEAVES)),
+    Technique("arguments of functions", _from("arguments_of_functions", "by_arguments")),
+    Technique("squaring", _from("squaring", "by_squaring")),
+    Technique("factors", _from("factors", "by_factors")),
+    Technique("few squares", _from("positive", "few_squares")),
+    Technique("entries", _from("extrema", "by_entries")),
+    Technique("cases", _from("extrema", "by_cases")),
+    Technique("squares", _from("positive", "squares")),
+    Technique(
+        "coefficients on many parts", _from("bernstein_boxes", "by_bernstein", parts=MANY_PARTS)
+    ),
+    Technique("parts with variables of their own", _from("subterms", "by_subterms")),
+    Technique("a large tree", _from("tree", "by_tree", leaves=MANY_LEAVES)),
 )
 
 
 #: What takes most of the work, and is tried when nothing else is left.
 LAST = (
-    Technique("sums of longer products", partial(by_products, degree=3)),
-    Technique("coefficients on very many parts", partial(by_bernstein, parts=10 * MANY_PARTS)),
-    Technique("a very large tree", partial(by_tree, leaves=10 * MANY_LEAVES)),
-    Technique("sums of the longest products", partial(by_products, degree=4)),
+    Technique("sums of longer products", _from("linear", "by_products", degree=3)),
+    Technique(
+        "coefficients on very many parts",
+        _from("bernstein_boxes", "by_bernstein", parts=10 * MANY_PARTS),
+    ),
+    Technique("a very large tree", _from("tree", "by_tree", leaves=10 * MANY_LEAVES)),
+    Technique("sums of the longest products", _from("linear", "by_products", degree=4)),
 )
 #: Those of them that use equations, which estimates do not look at.
 LAST_WITH_EQUATIONS = (LAST[0], LAST[3])
@@ -228,6 +226,9 @@ def _of_all_that_is_known(question: Question) -> Iterator[tuple[Question, tuple[
     widened = question.widened() or question
     if widened.clears():
         yield widened, SUMS
+        from verify.prover.search.linear import find_ranges  # loaded only where they are needed
+        from verify.prover.search.witnesses import is_false
+
         if is_false(widened):
             return
         if place not in known.ranged:

@@ -89,19 +89,29 @@ class Universal:
     # --- contexts -------------------------------------------------------------------------------
 
     def open(self, context: Context) -> bool:
-        """Show that the givens hold at the context's point; False if that is not found."""
+        """Open a context and define its constants; False if that is not found."""
+        return self.enter(context) and all(
+            self.define(constant, context.name) for constant in context.constants
+        )
+
+    def enter(self, context: Context, premises: tuple[str, ...] | None = None) -> bool:
+        """Show that the givens hold at the context's point; False if that is not found.
+
+        ``premises`` has the names of facts that say so; without it they are looked for.
+        """
         if context.parent is not None and context.parent not in self.contexts:
             return False
         if not self._are_defined(context):
             return False
-        premises = self.premises(context, context.point, context.parent)
+        if premises is None:
+            premises = self.premises(context, context.point, context.parent)
         if premises is None:
             return False
         self.contexts[context.name] = context
         self.session.open(context, premises)
         self.bounds |= bounds_of(context, self._between_numbers(context))
         self._homes |= {variable.name: context.name for variable in context.variables}
-        return all(self.define(constant, context.name) for constant in context.constants)
+        return True
 
     def _between_numbers(self, context: Context) -> Iterator[Given]:
         """Bounds by rational numbers, for variables that givens bound by other constants."""

@@ -9,11 +9,12 @@ from itertools import groupby
 from typing import Any
 
 from verify.language.record import Record
-from verify.language.statement import PROVED, REFUTED, REPAIRED, UNDECIDED, Assumption, Publication
+from verify.language.statement import PROVED, REFUTED, UNDECIDED, Assumption
 from verify.prover.decimals import exact_number
+from verify.publication import REPAIRED, Publication
+from verify.views.all_parameters import THEOREM
 from verify.views.document import assumption_document, claims_document
-from verify.views.everywhere import THEOREM
-from verify.views.material import Answer, ParameterBox, ScannedPoint
+from verify.views.findings import Answer, ParameterBox, ScannedPoint
 from verify.views.words import DOES_NOT_APPLY, believed, given, in_letters
 
 FORMAT = "verify-theorem1-box/1"

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from verify.language.statement import PROVED, Publication
+from verify.language.statement import PROVED
 from verify.prover.decimals import exact_number, rational_text, short
 from verify.prover.outcome import Outcome
+from verify.publication import Publication
 from verify.views.document import claims_document, pair
-from verify.views.material import AtR
+from verify.views.findings import AtR
 from verify.views.words import summary
 
 FORMAT = "verify-classification/1"

@@ -6,19 +6,12 @@ from collections.abc import Mapping
 from hashlib import sha256
 from typing import Any
 
-from verify.language.statement import (
-    HYPOTHESES,
-    PRINTED,
-    REFUTED,
-    Assumption,
-    Cite,
-    Constant,
-    Obligation,
-)
+from verify.language.statement import PRINTED, REFUTED, Assumption, Cite, Constant, Obligation
 from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import DIGITS, decimal_exponent, outward, rational_text
 from verify.prover.outcome import Decision, Ends, Outcome
+from verify.publication import HYPOTHESES
 from verify.views import words
 from verify.views.point import in_numbers
 

@@ -7,16 +7,12 @@ from typing import Any
 
 from verify.language.statement import (
     NEEDED,
-    OTHERWISE,
     PRINTED,
     PROVED,
     REFUTED,
-    REMARK,
-    REPAIRED,
     UNDECIDED,
     Constant,
     Obligation,
-    Publication,
 )
 from verify.language.terms import Claim, names_of, symbol
 from verify.language.typeset import Typesetter
@@ -26,6 +22,7 @@ from verify.prover.proof import Premise, Shape, shapes
 from verify.prover.relations import negation
 from verify.prover.rules import RULES, Sum, Witness, rule_of
 from verify.prover.uses import Node, nodes
+from verify.publication import OTHERWISE, REMARK, REPAIRED, Publication
 from verify.views.enclosures import exactly
 from verify.views.point import parameters_told
 from verify.views.row_lists import plain_letters

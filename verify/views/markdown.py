@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from verify.language.statement import REPAIRED, Always, Applies, Obligation, Publication
+from verify.language.statement import Always, Applies, Obligation
 from verify.language.terms import Claim
 from verify.language.typeset import LONG
 from verify.prover.outcome import Decision, Outcome
+from verify.publication import REPAIRED, Publication
 from verify.views import words
 from verify.views.enclosures import exactly, minimum_of
 from verify.views.point import in_numbers
-from verify.views.setting import apart, markdown_template
+from verify.views.typesetting import apart, markdown_template
 from verify.views.words import fair as verdict_of
 
 

@@ -4,15 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from verify.language.statement import (
-    HYPOTHESES,
-    NEEDED,
-    PRINTED,
-    PROVED,
-    REFUTED,
-    REPAIRED,
-    Obligation,
-)
+from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Obligation
 from verify.language.terms import Term
 from verify.prover.decimals import decimal_text as decimal
 from verify.prover.decimals import (
@@ -24,6 +16,7 @@ from verify.prover.decimals import (
     told_apart,
 )
 from verify.prover.outcome import Outcome
+from verify.publication import HYPOTHESES, REPAIRED
 from verify.views import words
 
 #: Digits of a number that is rounded to the safe side.

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from verify.language.statement import UNDECIDED, Obligation, Publication
+from verify.language.statement import UNDECIDED, Obligation
 from verify.language.terms import Claim, symbol
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import short, told_apart
 from verify.prover.outcome import Decision, Outcome
+from verify.publication import Publication
 from verify.views import words
-from verify.views.document import assumption_document, cite_document, row_document, value_text
 from verify.views.enclosures import exactly
 
 FORMAT = "verify-prove/1"
@@ -69,11 +69,19 @@ def _numbers(row: Obligation, found: Decision) -> Iterator[str]:
 
 def _values(found: Decision, typesetter: Typesetter) -> dict[str, str]:
     """The values of a witness, all of which the givens need."""
+    from verify.views.document import value_text  # loaded only where it is used
+
     return {name: value_text(term, typesetter) for name, term in found.witness.items()}
 
 
 def decided_document(outcome: Outcome) -> dict[str, Any]:
     """The outcome as one JSON document."""
+    from verify.views.document import (  # loaded only where they are used
+        assumption_document,
+        cite_document,
+        row_document,
+    )
+
     typesetter = words.letters(outcome)
     return {
         "format": FORMAT,

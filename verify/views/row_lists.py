@@ -7,23 +7,19 @@ from collections.abc import Iterator
 from verify.language.simplify import simplified, simplified_claim
 from verify.language.statement import (
     NEEDED,
-    OTHERWISE,
     PRINTED,
     PROVED,
     REFUTED,
-    REMARK,
-    REPAIRED,
-    SEVERITIES,
     UNDECIDED,
     Always,
     Applies,
     Obligation,
-    Publication,
 )
 from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import exact_number, outward, people
 from verify.prover.outcome import Decision, Ends, Outcome
+from verify.publication import OTHERWISE, REMARK, REPAIRED, SEVERITIES, Publication
 from verify.views import words
 from verify.views.words import letters
 

@@ -5,21 +5,18 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 
-from verify.language.statement import (
+from verify.language.statement import PRINTED, PROVED, REFUTED, Obligation
+from verify.prover.outcome import Outcome
+from verify.publication import (
     BREAKS,
     HARMLESS,
     HYPOTHESES,
     OTHERWISE,
-    PRINTED,
-    PROVED,
-    REFUTED,
     REMARK,
     REPAIRED,
     SLIP,
-    Obligation,
     Publication,
 )
-from verify.prover.outcome import Outcome
 from verify.views import words
 from verify.views.point import (
     failed_hypotheses,

@@ -6,9 +6,10 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import Any
 
-from verify.language.statement import PROVED, UNDECIDED, Publication
+from verify.language.statement import PROVED, UNDECIDED
 from verify.prover.decimals import exact_number, outward, rational_text, short
 from verify.prover.outcome import Ends, Outcome
+from verify.publication import Publication
 from verify.views.document import claims_document
 from verify.views.row_lists import screen as rows_screen
 from verify.views.words import summary

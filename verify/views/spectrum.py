@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from verify.language.statement import Publication
 from verify.prover import balls
 from verify.prover.balls import Ball
 from verify.prover.decimals import exact_number, outward, rational_text, short
 from verify.prover.outcome import Outcome
+from verify.publication import Publication
 from verify.views.document import claims_document
-from verify.views.material import Complex, Spectrum
+from verify.views.findings import Complex, Spectrum
 from verify.views.words import summary
 
 FORMAT = "verify-spectrum/1"

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator
 
-from verify.language.statement import HYPOTHESES, PRINTED, REFUTED, REPAIRED, Constant, Publication
+from verify.language.statement import PRINTED, REFUTED, Constant
 from verify.language.typeset import Typesetter
 from verify.prover.outcome import Outcome
+from verify.publication import HYPOTHESES, REPAIRED, Publication
 from verify.views import words
 from verify.views.enclosures import minimum_of
 from verify.views.point import in_numbers, parameters_told

@@ -10,24 +10,21 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 
 from verify.language.statement import (
-    HYPOTHESES,
     NEEDED,
-    OTHERWISE,
     PRINTED,
     PROVED,
     REFUTED,
-    REMARK,
     UNDECIDED,
     Assumption,
     Cite,
     Constant,
     Obligation,
-    Publication,
 )
 from verify.language.terms import Claim, Term, names_of, symbol
 from verify.language.typeset import LONG, Typesetter
 from verify.prover.decimals import short, told_apart
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
+from verify.publication import HYPOTHESES, LETTERS, OTHERWISE, REMARK, TITLE_LETTERS, Publication
 
 #: The headline where a hypothesis does not hold.
 DOES_NOT_APPLY = "does not apply"
@@ -38,27 +35,6 @@ DEFINITION = "definition"
 #: The kinds of assumptions that are granted: what the objects are, theorems of
 #: general mathematics, and sentences that do nothing but put facts together that they name.
 GRANTED = (DEFINITION, "general mathematics", "numbered glue")
-
-#: How the parameters of Theorem 1 are written, in the paper's order.
-LETTERS = {"r": "r", "c": "(-cos θ₀)", "V_0": "V₀", "delta_theta": "δ_θ"}
-
-#: How they, and some constants, stand in titles and sentences.
-TITLE_LETTERS = {
-    "V_0": "V₀",
-    "delta_theta": "δ_θ",
-    "theta_0": "θ₀",
-    "<=": "≤",
-    "Delta_theta": "Δθ",
-    "eta_bar": "η̄",
-    "zeta_bar": "ζ̄",
-    "d_bar": "d̄",
-    "delta_x": "δ_x",
-    "delta_y": "δ_y",
-    "eta_s": "η_s",
-    "d_0": "d₀",
-    "Theta/6": "Θ/6",
-    "sqrt(r)": "√r",
-}
 
 #: How relations are shown.
 SIGNS = {"<": "<", "<=": "≤", "=": "="}

@@ -15,8 +15,6 @@ from verify import check
 from verify.language.errors import OwnError, UnreadError
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Obligation, Statement
 from verify.prover.outcome import CHECKER, Decision, Judgement, Outcome, names_in
-from verify.wire.packaged import cited_digests, packaged_files, packaged_statements
-from verify.wire.read import read
 from verify.wire.write import write
 
 #: Who judges what comes with the program: the checker has, before, and the digests are compared.
@@ -104,6 +102,9 @@ def packaged(name: str, *, anew: bool = False) -> Outcome:
     Raises:
         OwnError: if its files are not those that it has accepted, or the checker refuses them.
     """
+    from verify.wire.packaged import cited_digests, packaged_files, packaged_statements
+    from verify.wire.read import read  # loaded only where they are used
+
     statement, certificate = packaged_files(name)
     cited = packaged_statements(cited_digests(statement))
     outcome = read(statement, certificate, cited)
@@ -138,6 +139,8 @@ def read_judged(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]
         check.Malformed: if the checker cannot read them.
         check.Refused: if it refuses anything.
     """
+    from verify.wire.read import read  # loaded only where it is used
+
     outcome, report = (
         read(statement, certificate, cited),
         check.check(statement, certificate, cited),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from hashlib import sha256
 
@@ -12,139 +12,23 @@ from verify.language.record import Record
 
 #: The folder with copies of some of those in `certificates`.
 PACKAGED = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data")
-#: The one about all parameters.
-ALL = "theorem1-all"
-#: Those about the theorem as printed: its set with > for <, and that with < it is false.
-PRINTED_SET, PRINTED_SIGN = "printed-set", "printed-sign"
-#: The rows of the printed set for all parameters, of which some are refuted.
-AS_PRINTED = "printed"
-#: Their files with their digests. Who cites one rests on them: it is not checked again in each run.
-PACKAGED_FILES = {
-    "step": {
-        "statement.json": "920523cdfa1f9afd807f321e05b78cadd7ee760b1a5764d4e1f36c9a7e786716",
-        "certificate.json": "25236b082b9cf3cceeff68dfd52115a55bb8507e6d307924ad5cff2b25935eec",
-    },
-    "step-printed": {
-        "statement.json": "1aa67de5dabc18e6bcb076c0e7974e19b4363aa9f9b1935d8ef599e125b1a25b",
-        "certificate.json": "947372616aa1f1b98820d80b41ad0fc428ebd8be0bb6535a9e0120cc0835f0a1",
-    },
-    ALL: {
-        "statement.json": "8732bbdf352eef2623fb3cb50fd30b6ab0b4e6fb49f2b4592ba61278b9a95619",
-        "certificate.json": "66265cc3438023d95d7352bd3fdb0a90f0d2f2a83c89c809d4ba8ade92f711b5",
-    },
-    PRINTED_SET: {
-        "statement.json": "0cc7a4cc9fbe85282249c5391d26d9d73b5a7a88e07f9294c400f171538a48b1",
-        "certificate.json": "d609cbd1827236a8c8b63f8b7820e6da57acfcff634e2b0b8b0eabea72473a90",
-    },
-    PRINTED_SIGN: {
-        "statement.json": "463af7a92b5e55614165a6db3576bbdc71f2369147ab8e69e1116bd12ed9cd30",
-        "certificate.json": "89babf16199a2031626b0e2e9b1a92642a77685bcc1a5cf4507760ade71c7e10",
-    },
-    "thresholds": {
-        "statement.json": "cd4602cefb1bfc76902297d936571f3de8ddb6e51fe4789ca75bdc3f263bc9c5",
-        "certificate.json": "48f5e286ef807ee68041b7ae2ee2872b9deffb43b84990603047c47a044169ea",
-    },
-    "spectrum": {
-        "statement.json": "cb88e35f0984c1c4533cbdb35be8510235da71449440e01f380931109a05b129",
-        "certificate.json": "91da4da5fac5a1c12ce9f4cbe2d585155b646cf1174a1735ed1e1e48303e58a7",
-    },
-    "classification": {
-        "statement.json": "569536f6f737b332a6639a14e1b17d8a66ed12a481014b00afc956fabfa560ab",
-        "certificate.json": "00ae127acd0ac1b159de5d65cddd2c59c8297c38257a9e68a2b10a79abdc2360",
-    },
-    "elsewhere": {
-        "statement.json": "181792ad7ec7f2175bb89072eab89add2312e806111684bdafdf88cb98b09151",
-        "certificate.json": "22bd5211b6e5f66e11c24ec50522ac5ec883a7fdca776f8257fc125d3a654123",
-    },
-    "sharper": {
-        "statement.json": "52d5abca77e65dd9c6c064ef529d4774214a42f6914bb076b725552dd0940776",
-        "certificate.json": "52bf65d988214955a003a13c0de0dd745538e6a65af9b62d488e281873240d92",
-    },
-    "sandwich": {
-        "statement.json": "c4a6b29d0fb22d2b4c1b93aef03e7f3b1df83d4922468a59103e03abd25083b9",
-        "certificate.json": "641b74fbafa49f91669cdb7c294f79a1ffb796198fc1bde675d0138db20d7438",
-    },
-    "outside": {
-        "statement.json": "5c9b97b7904e956200959e7a74a67b9b8ed478dbec6286276938d93f0f1a141c",
-        "certificate.json": "aa181b9d7644d9858063e895dabc816bd8dcc0b83e4dc027035255b1680d0864",
-    },
-    "flow": {
-        "statement.json": "63e41a57a263ab3bc26da25168946bcc4dbcc0661e77b674833aa1c073e32efd",
-        "certificate.json": "a8a89c0d654ee10d935093008c06f9dc368db237fa56c46816deb8f0a043a38f",
-    },
-    "line": {
-        "statement.json": "8240884d6bff9ab4d3d8c70114ee085dc1ef5ecbed7a8381895a083125bc43d6",
-        "certificate.json": "3f2568497398c41a31aa9b3ebfd4452a6a7fd3f7ae25c86389432d982e0a77ce",
-    },
-    "separatrix": {
-        "statement.json": "62a1f81ac3024b2a1e30d5d257908b85f86946db48cdd8a2e5b28041db533128",
-        "certificate.json": "a988e231b813396ebbc62e0b6d2e00dd254afc1cc1d2a537e049129e9dd44a44",
-    },
-    AS_PRINTED: {
-        "statement.json": "5c9a22d238e60320ab5e80a982eba34ca454f3ac39e3e63bc9f15dc32133b5d6",
-        "certificate.json": "04c8d41fb88caafa5fb0cee7cd809f453374c3717acc18af3f20886cc9b05b49",
-    },
-}
+#: Their names, and digests; the pages that they were made of.
+DIGESTS = os.path.join(PACKAGED, "packaged.txt")
 
-#: The pages of the paper: which of these each has become, and the digest of its text then.
-PAGES = {
-    "all_parameters": (
-        "theorem1-all",
-        "6bf86cae0dece67eeffe4fa0ae86c76e1f0f13cb2aec1b0bc6f3474aae966aa4",
-    ),
-    "classification": (
-        "classification",
-        "9e15a4313b855ed5e2b25e3b0f9bd0d5414074ee70bc7dad295bbcb036f370eb",
-    ),
-    "line": (
-        "line",
-        "928dc7410896cca46bb968e03e2661aa0266bd4db760927a1c7184f37a159043",
-    ),
-    "printed_rows": (
-        "printed",
-        "7353d3d044b1be1ff1e48beccf98a6c71cff3d80d7e70f4f03ac9c01f1021d03",
-    ),
-    "printed_set": (
-        "printed-set",
-        "d9dbbf62f836b38ec5e5e054651113f0d54b131a384efb9369de5570072147a0",
-    ),
-    "printed_sign": (
-        "printed-sign",
-        "8ea8f14ec938f38e9c0f0638e53db830037d51a1aa8c6af00e7444a730dce55c",
-    ),
-    "sandwich_above": (
-        "outside",
-        "0fc5b3ad651103e0ac5a4033d289112bf56c3cb3095efee04cfa6813bb905b52",
-    ),
-    "sandwich_below": (
-        "sandwich",
-        "c12298705b271b6598de93c741c9953e5d17b56f5b8d950f13c21d35873b8e7b",
-    ),
-    "sections_1_to_4": (
-        "elsewhere",
-        "db8a0d8255641f6a87d3ad9f34a46fa59d23d09b0cc147edc36293a72e99f820",
-    ),
-    "separatrix": (
-        "separatrix",
-        "2cfe7a2d29dc9e7128c7e34efdfe9e2de8f3dcf6bc17ef046bfe7314292967c3",
-    ),
-    "sharper": (
-        "sharper",
-        "d2c894a4aeaf6f75e19c5fca8fffd7963b721e270606e6c485eddcc3942862b6",
-    ),
-    "spectrum": (
-        "spectrum",
-        "3cf75bed1a0460949f33c127db70dbd44d7671c3c8ab3cbfbda860d9523860dc",
-    ),
-    "step": (
-        "step",
-        "fbc3dde261e2ba847277cf9f9c52da0128d16001edf4ca978e3f704e62af7baf",
-    ),
-    "thresholds": (
-        "thresholds",
-        "0fcf81ba178ce421fce120c7685f98d139c9e100b1f3615c27f7b6cd1525f006",
-    ),
+
+def _lines(kind: str) -> Iterator[list[str]]:
+    with open(DIGESTS, encoding="ascii") as file:
+        found = [line.split() for line in file]
+    return (words for first, *words in found if first == kind)
+
+
+#: Files with their digests. Who cites one rests on them: it is not checked again in each run.
+PACKAGED_FILES = {
+    name: {"statement.json": statement, "certificate.json": certificate}
+    for name, statement, certificate in _lines("certificate")
 }
+#: The pages of the paper: which of these each has become, and the digest of its text then.
+PAGES = {page: (name, digest) for page, name, digest in _lines("page")}
 
 
 def became(page: str, text: bytes) -> str | None:

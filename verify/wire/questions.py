@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from verify import check
+from verify.language.argument import Chapter
 from verify.language.errors import UnreadError
 from verify.language.statement import NEEDED, PROVED, UNDECIDED, Cite, Obligation, Statement
 from verify.prover.budget import SpentError, WorkBudget
@@ -19,8 +20,6 @@ from verify.prover.proof import Step
 from verify.prover.prove import NO_HINTS, prove
 from verify.wire.inputs import InputError, TooDeepError, shown
 from verify.wire.judge import judged
-from verify.wire.read import cites_of, read_statement
-from verify.wire.term_json import TermReader
 from verify.wire.text import OTHERS, Page
 from verify.wire.write import certificate_file, digest, statement_file
 
@@ -40,9 +39,14 @@ def read_questions(content: bytes, cited: Mapping[str, bytes]) -> Statement:
     Raises:
         InputError: for a file that is not in the format, with the reason in one line.
     """
-    document = _document(content, cited)
-    reader = TermReader(document["terms"])
-    return read_statement(document, reader, cited)
+    return _statement(_document(content, cited), cited)
+
+
+def _statement(document: dict[str, Any], cited: Mapping[str, bytes]) -> Statement:
+    from verify.wire.read import read_statement  # loaded only where they are used
+    from verify.wire.term_json import TermReader
+
+    return read_statement(document, TermReader(document["terms"]), cited)
 
 
 def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
@@ -55,7 +59,7 @@ def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
     if path.endswith(".toml"):
         from verify.wire.text.read_page import read_page
 
-        return read_page(path, content, cites_of(cited))
+        return read_page(path, content, _cites(cited))
     if path.endswith(".smt2"):
         from verify.wire.text.smtlib import read_smtlib
 
@@ -73,11 +77,15 @@ def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
 
 
 def decide(
-    statement: Statement, budget: WorkBudget | None = None, hints: Mapping[str, Hint] = NO_HINTS
+    statement: Statement,
+    budget: WorkBudget | None = None,
+    hints: Mapping[str, Hint] = NO_HINTS,
+    chapters: Sequence[Chapter] = (),
 ) -> Outcome:
     """Every row of a statement, decided and judged; or undecided, with the reason.
 
-    ``hints`` say where to look for the proofs of some rows.
+    ``hints`` say where to look for the proofs of some rows; with ``chapters`` each line is shown by
+    what it names, if it names anything.
 
     Raises:
         InputError: for a statement that the checker cannot read.
@@ -92,8 +100,15 @@ def decide(
 
     reading, asked = Reading(statement, budget), statement
     statement = completed(statement, proves)
-    price = reading.price if statement is asked else Reading(statement, budget).price
-    outcome = prove(statement, budget=budget, price=price, hints=hints, cited=cited)
+    reading = reading if statement is asked else Reading(statement, budget)
+    if chapters:
+        from verify.prover.lines import prove_lines  # loaded only where it is used
+
+        outcome = prove_lines(
+            statement, chapters, budget, reading.price, reading.refusal, hints, cited
+        )
+    else:
+        outcome = prove(statement, budget=budget, price=reading.price, hints=hints, cited=cited)
     try:
         return judged(outcome)
     except UnreadError as error:
@@ -114,7 +129,9 @@ def decide_page(page: Page, budget: WorkBudget) -> Outcome:
         InputError: for a statement that the checker cannot read.
         OwnError: if the checker refuses what the search calls proved.
     """
-    statement = page.statement
+    statement = stated(page)
+    if page.is_argued:
+        return decide(statement, budget, page.hints, page.chapters)
     if not page.forms:
         return decide(statement, budget, page.hints)
     with budget.part(1, 1.5) as most:
@@ -128,6 +145,22 @@ def decide_page(page: Page, budget: WorkBudget) -> Outcome:
     if not found or len(statement.obligations) == 1:
         return next(iter(found.values()), first)
     return decide(_with_forms(statement, found), budget, page.hints)
+
+
+def stated(page: Page) -> Statement:
+    """The statement of a page, with a number for each constant that may be chosen.
+
+    Raises:
+        InputError: if a number cannot be chosen.
+    """
+    from verify.prover.choices import BudgetError, chosen  # loaded only where it is used
+
+    try:
+        return chosen(page.statement, page.choices)
+    except (BudgetError, ValueError) as error:
+        raise InputError(
+            f"STATEMENT: a constant cannot be chosen: {error}; write its value"
+        ) from error
 
 
 def _by_other_forms(page: Page, name: str, budget: WorkBudget, rows: int) -> Outcome | None:
@@ -199,13 +232,33 @@ class Reading:
             is_late = isinstance(error, SpentError)
             if not is_late and not _is_limit(error):  # a mistake of ours, which the judge will name
                 return ""
-            self._begin()
-            for batch in self._batches:
-                self._read(*batch)
+            self._again()
             what = "is checked too late" if is_late else "is more than the checker reads"
             return f"the proof that was found {what}: {error!s:.200}"
         self._batches.append((row, claimed, tuple(steps)))
         return ""
+
+    def refusal(self, row: Obligation | None, claimed: str, steps: Sequence[Step]) -> str:
+        """Why the checker does not accept steps that somebody wrote; or nothing."""
+        before = len(self._checking.complaints)
+        try:
+            with self._budget.alarm():
+                self._read(row, claimed, steps)
+        except (check.Malformed, RecursionError, SpentError) as error:
+            reason = str(error) or "it is too deep"
+        else:
+            reason = next(iter(self._checking.complaints[before:]), "").removeprefix("REFUSED ")
+        if reason:
+            self._again()
+        else:
+            self._batches.append((row, claimed, tuple(steps)))
+        return reason
+
+    def _again(self) -> None:
+        """Read what was accepted so far once more."""
+        self._begin()
+        for batch in self._batches:
+            self._read(*batch)
 
     def _begin(self) -> None:
         kernel = check.Kernel()
@@ -249,6 +302,14 @@ def _claims(statement: Statement, steps: Sequence[Step]) -> Outcome:
     return Outcome(statement, decisions, tuple(steps), {})
 
 
+def _cites(cited: Mapping[str, bytes]) -> tuple[Cite, ...]:
+    if not cited:
+        return ()
+    from verify.wire.read import cites_of  # loaded only where it is used
+
+    return cites_of(cited)
+
+
 def _proved(cites: Sequence[Cite], prefix: str = "") -> Iterator[tuple[str, Statement]]:
     """What is cited, with its proved rows only, and what its names begin with here."""
     for cite in cites:
@@ -256,8 +317,7 @@ def _proved(cites: Sequence[Cite], prefix: str = "") -> Iterator[tuple[str, Stat
         yield from _proved(cite.cites, here)
         document = json.loads(cite.content)
         rows = [row for row in document["obligations"] if row["verdict"] == PROVED]
-        reader = TermReader(document["terms"])
-        yield here, read_statement(document | {"obligations": rows, "cites": []}, reader, {})
+        yield here, _statement(document | {"obligations": rows, "cites": []}, {})
 
 
 def all_cites(cites: Sequence[Cite]) -> list[Cite]:

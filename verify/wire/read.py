@@ -33,7 +33,6 @@ from verify.prover.proof import (
     shapes,
 )
 from verify.prover.rules import RULES, Interval
-from verify.wire.packaged import packaged_certificate
 from verify.wire.term_json import TermReader, WireError
 from verify.wire.write import CERTIFICATE_FORMAT, STATEMENT_FORMAT
 
@@ -152,6 +151,8 @@ def _document(content: bytes) -> dict[str, Any]:
 
 def _certificate_of(digest: str, cited: Mapping[str, bytes]) -> bytes:
     """The certificate of what is cited: the program's own, or one that is given, or none."""
+    from verify.wire.packaged import packaged_certificate  # loaded only where it is used
+
     given = (data for data in cited.values() if _certifies(data, digest))
     return packaged_certificate(digest) or next(given, b"")
 

@@ -22,7 +22,7 @@ from verify.paper.commands.box import (
     verdict,
 )
 from verify.paper.commands.regenerate import is_right_statement
-from verify.paper.hypotheses import hypotheses
+from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Outcome
 from verify.prover.program import ExactArithmetic, Machine, Program
 from verify.prover.relations import holds
@@ -85,7 +85,11 @@ def test_with_one_r_the_certified_part_begins_next_to_the_threshold() -> None:
 def test_random_boxes_against_the_hypothesis_itself() -> None:
     """No point of a box has another verdict than the box, and undecided boxes have both."""
     chosen = random.Random(5)
-    claim = next(row.claim for row in hypotheses() if row.name == paper.STABILITY)
+    claim = next(
+        row.claim
+        for row in theorem().parts["hypotheses"].obligations
+        if row.name == paper.STABILITY
+    )
     assert isinstance(claim, Claim)
     relation, *terms = claim.key
     program = Program(("r", "c"))

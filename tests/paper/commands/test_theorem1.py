@@ -9,12 +9,9 @@ import pytest
 
 from tests.points import ADMISSIBLE, parameters
 from verify.language.statement import (
-    BREAKS,
     NEEDED,
-    OTHERWISE,
     PROVED,
     REFUTED,
-    REMARK,
     UNDECIDED,
     Choice,
     Constant,
@@ -29,6 +26,7 @@ from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.rules import Interval, Sum
 from verify.prover.session import Session
+from verify.publication import BREAKS, OTHERWISE, REMARK
 from verify.views.words import counts, definitions_of, fair, group_verdict, groups
 
 #: What the printed proof gets wrong at r = 3/100, theta_0 = pi; the README lists them.

@@ -18,8 +18,9 @@ from verify.language.terms import Claim, as_term, substitute_claim, symbol
 from verify.paper.commands import pages
 from verify.paper.commands.citing import as_printed
 from verify.paper.commands.theorem1 import decide_point
+from verify.paper.parameters import PRINTED_SET
 from verify.wire.judge import report_on
-from verify.wire.packaged import PACKAGED_FILES, PRINTED_SET
+from verify.wire.packaged import PACKAGED_FILES
 from verify.wire.write import write
 
 #: Orbits in a run; PRINTED_ORBITS chooses more.

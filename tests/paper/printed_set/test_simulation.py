@@ -14,9 +14,10 @@ from typing import Any
 import pytest
 from mpmath import mp, mpf
 
-from verify.language.statement import PRINTED, REPAIRED
+from verify.language.statement import PRINTED
 from verify.language.terms import Term
 from verify.paper.theorem1 import theorem
+from verify.publication import REPAIRED
 
 DIGITS, ORBITS, COLLISIONS = 330, 1000, 20
 PAIRS = ((0, 1), (0, 2), (1, 2))

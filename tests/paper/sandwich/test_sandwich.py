@@ -9,7 +9,15 @@ from functools import cache
 import pytest
 from flint import arb
 
-from tests.paper.changing import accepted_lies, answer, changed, claim_of, report, standing, without
+from tests.paper.changed_statements import (
+    accepted_lies,
+    answer,
+    changed,
+    claim_of,
+    report,
+    standing,
+    without,
+)
 from tests.paper.sandwich.states import (
     BELOW,
     GIVENS,

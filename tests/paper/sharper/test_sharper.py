@@ -8,7 +8,7 @@ from functools import cache
 import pytest
 from flint import arb
 
-from tests.paper.changing import answer, but, changed, claim_of, report, standing, without
+from tests.paper.changed_statements import answer, but, changed, claim_of, report, standing, without
 from tests.paper.sharper.particles import Particles, dot
 from tests.paper.sharper.states import Numbers, Random
 from verify import check

@@ -12,11 +12,12 @@ import pytest
 import sympy
 
 from tests.paper.spectrum.page import TEXT, changed, read, with_a_broken_entry
-from verify.language.statement import PROVED, REFUTED, REMARK, SLIP, Context, Statement
+from verify.language.statement import PROVED, REFUTED, Context, Statement
 from verify.language.terms import Claim, Term, as_term, names_of, symbol
 from verify.paper.commands.spectrum import cite_spectrum
 from verify.prover.outcome import Outcome
 from verify.prover.prove import prove
+from verify.publication import REMARK, SLIP
 from verify.views.words import fair
 from verify.wire.judge import judged
 

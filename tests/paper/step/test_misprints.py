@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from fractions import Fraction
 from pathlib import Path
 
@@ -9,11 +10,12 @@ import pytest
 from flint import fmpq
 
 from verify import check
-from verify.language.statement import PROVED, REFUTED
+from verify.language.argument import ByWitness, Line
+from verify.language.statement import PRINTED, PROVED, REFUTED, Obligation
 from verify.language.terms import Claim, Term, as_term
-from verify.paper import step_as_printed as misprints
+from verify.paper.commands.pages import page
 from verify.paper.commands.regenerate import is_right_statement
-from verify.paper.commands.step import decide_step_printed, state
+from verify.paper.commands.step import decide_step_printed
 from verify.paper.parameters import PARAMETERS
 from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Outcome
@@ -22,11 +24,29 @@ from verify.wire.read import read
 from verify.wire.write import write
 
 from . import second_estimates
+from .printed_states import DECAY, VECTORS, WITNESSES, state
 from .second_constants import Constants, hypothesis
 from .second_reading import READINGS, Place, State, dot, holds, links
 from .states import STEP
 
 ROOT = Path(check.__file__).parents[1]
+CONTEXT = "printed-state"
+
+
+def printed() -> list[Obligation]:
+    """The rows of the page that are false."""
+    return [row for row in page("step_as_printed").statement.obligations if row.severity]
+
+
+def states() -> dict[str, Mapping[str, Term]]:
+    """The state of each line that is false at one."""
+    lines = (item for part in page("step_as_printed").chapters for item in part.items)
+    return {
+        line.name: line.reason.at
+        for line in lines
+        if isinstance(line, Line) and isinstance(line.reason, ByWitness)
+    }
+
 
 #: The second reading's lines that are false where these rows are refuted.
 SAME_LINES = {
@@ -54,9 +74,9 @@ def rational(term: Term) -> fmpq:
 
 def place(name: str) -> Place:
     """The state of a witness, for the second reading."""
-    found = {key: rational(x) for key, x in state(misprints.WITNESSES[name]).items()}
-    vectors = {v: [found[f"{v}_{i}"] for i in "123"] for v in misprints.VECTORS}
-    values = [fmpq(*Fraction(misprints.PARAMETERS[p]).as_integer_ratio()) for p in PARAMETERS]
+    found = {key: rational(x) for key, x in state(WITNESSES[name]).items()}
+    vectors = {v: [found[f"{v}_{i}"] for i in "123"] for v in VECTORS}
+    values = [rational(page("step_as_printed").statement.parameters[p]) for p in PARAMETERS]
     r, c, V_0, delta_theta = values
     return Place(r, State(d=found["d"], **vectors), Constants(r, c, delta_theta, V_0))
 
@@ -75,22 +95,22 @@ def test_every_printed_row_is_refuted_and_every_other_proved() -> None:
 def test_each_is_corrected_by_a_row_that_is_proved_elsewhere() -> None:
     known = {row.name for row in STEP.obligations}
     known |= {row.name for part in theorem().parts.values() for row in part.obligations}
-    for row in misprints.printed():
+    for row in printed():
         assert row.corrected_by in known, row.name
         assert row.corrected_by != row.name
 
 
 def test_what_is_proved_here_has_the_names_and_labels_of_the_step() -> None:
     labels = {row.name: row.label for row in STEP.obligations}
-    for row in misprints.needed():
-        if not row.name.startswith("angle"):
+    for row in page("step_as_printed").statement.obligations:
+        if not row.severity and not row.name.startswith("angle"):
             assert labels[row.name] == row.label
 
 
 # --- fair -----------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", misprints.WITNESSES)
+@pytest.mark.parametrize("name", WITNESSES)
 def test_a_second_reader_allows_the_states(name: str) -> None:
     """All conditions hold for the reader's own vectors, collision and constants."""
     q = place(name)
@@ -99,21 +119,21 @@ def test_a_second_reader_allows_the_states(name: str) -> None:
     assert second_estimates.SAID
 
 
-@pytest.mark.parametrize("name", misprints.WITNESSES)
+@pytest.mark.parametrize("name", WITNESSES)
 def test_the_numbers_of_a_state_are_those_of_its_collision(name: str) -> None:
-    q, found = place(name), state(misprints.WITNESSES[name])
+    q, found = place(name), state(WITNESSES[name])
     assert q.n.tau == rational(found["tau"])
     assert q.n.still == rational(found["S"])
     assert 1 + q.m.d == rational(found["D"])
-    n = misprints.WITNESSES[name].n
-    assert found["decay"].value == Fraction(misprints.DECAY) ** n
-    assert q.K.C_eta == fmpq(*Fraction(misprints.DECAY).as_integer_ratio())
+    n = WITNESSES[name].n
+    assert found["decay"].value == Fraction(DECAY) ** n
+    assert q.K.C_eta == fmpq(*Fraction(DECAY).as_integer_ratio())
     assert all(dot(v, v) == 1 for v in (q.n.omega_s, q.n.omega_c, q.m.omega_s, q.m.omega_c))
 
 
 def test_the_second_reader_finds_the_same_lines_wrong_at_these_states() -> None:
     for row, line in SAME_LINES.items():
-        at = misprints.FALSE_AT.get(f"state.{row}", misprints.FIRST)
+        (at,) = (name for name, n in WITNESSES.items() if state(n) == states()[f"state.{row}"])
         q, reading = place(at), READINGS[line]
         assert reading.view == "wrong"
         assert any(holds(*part) is False for part in reading.parts(q)), row
@@ -121,16 +141,22 @@ def test_the_second_reader_finds_the_same_lines_wrong_at_these_states() -> None:
             assert all(holds(*part) is not False for part in links(reading.instead(q))), row
 
 
-def test_every_state_refutes_a_row() -> None:
-    names = {row.name for row in misprints.printed()}
-    assert set(misprints.FALSE_AT) < names
-    used = {misprints.FIRST, *misprints.FALSE_AT.values()}
-    assert used == set(misprints.WITNESSES)
+def test_every_state_refutes_a_row_and_is_computed_from_its_few_numbers() -> None:
+    assert {*states()} == {row.name for row in printed()}
+    used = {name for at in states().values() for name, n in WITNESSES.items() if state(n) == at}
+    assert used == {*WITNESSES}
+    assert all(at in map(state, WITNESSES.values()) for at in states().values())
+    assert page("step_as_printed").statement.context(CONTEXT).point in states().values()
+
+
+def test_its_constants_are_the_printed_ones() -> None:
+    part = theorem().parts[PRINTED]
+    assert page("step_as_printed").statement.constants == (*theorem().common, *part.bounds)
 
 
 def test_a_state_in_the_plane_has_no_third_coordinate() -> None:
-    for name, numbers in misprints.WITNESSES.items():
-        third = {v: state(numbers)[f"{v}_3"].value for v in misprints.VECTORS}
+    for name, numbers in WITNESSES.items():
+        third = {v: state(numbers)[f"{v}_3"].value for v in VECTORS}
         assert any(third.values()) == (name == "space")
 
 

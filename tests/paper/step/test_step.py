@@ -23,7 +23,7 @@ from verify.paper import step
 from verify.paper.commands import pages
 from verify.paper.commands.step import decide_step
 from verify.paper.commands.theorem1 import decide_point
-from verify.paper.parameters import PARAMETERS
+from verify.paper.parameters import ALL, PARAMETERS
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.ground import Ground
@@ -32,7 +32,7 @@ from verify.prover.proof import LemmaStep, ObligationStep, Step
 from verify.prover.rules import Sum
 from verify.views.words import headline
 from verify.wire import judge, packaged
-from verify.wire.packaged import ALL, PACKAGED, PACKAGED_FILES, packaged_files
+from verify.wire.packaged import PACKAGED, PACKAGED_FILES, packaged_files
 from verify.wire.read import read
 from verify.wire.write import encode, write
 

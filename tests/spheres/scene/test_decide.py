@@ -13,7 +13,7 @@ from tests.spheres.scene.random_scenes import random_scene
 from tests.spheres.scene.scenes import CASES, REST, aligned, on_a_line, scene
 from verify.measure.simulation import DIGITS, Impact, simulate
 from verify.prover import balls
-from verify.spheres.flow.pairs import PARTING, PASSING
+from verify.spheres.flow.contexts import PARTING, PASSING
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, UNDECIDED, Budget, decide_scene
 from verify.spheres.scene.scene import PAIRS, Coordinates, Scene
 from verify.spheres.scene.verdict import degrees, scene_lines, time_ends

@@ -17,7 +17,7 @@ from verify.prover.decimals import round_decimal
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.rules import Applying
-from verify.views.material import Answer, ParameterBox
+from verify.views.findings import Answer, ParameterBox
 from verify.wire.judge import judged
 
 #: Digits of the last r of a part on which the hypotheses hold.

@@ -13,13 +13,12 @@ from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Cite
 from verify.language.terms import Claim, sqrt
 from verify.paper import step
 from verify.paper.assumptions import STEP_ASSUMPTIONS
-from verify.paper.initial_data import alpha_0, discriminant, phi_minus
-from verify.paper.parameters import HYPOTHESES, PRINTED, REPAIRED
-from verify.paper.step import BETWEEN, STEP
+from verify.paper.parameters import HYPOTHESES, PRINTED, PRINTED_SET, PRINTED_SIGN, REPAIRED, r
+from verify.paper.step import BETWEEN, MEANING, STEP
 from verify.prover.outcome import Decision, Judgement, Outcome, conjunction, names_in
 from verify.prover.proof import LemmaStep, ObligationStep, Proof, Step, Value
 from verify.prover.rules import Applying, Root, Sum
-from verify.wire.packaged import PRINTED_SET, PRINTED_SIGN, packaged_files
+from verify.wire.packaged import packaged_files
 
 #: The judge of the row that the step applies: those that have judged all rows that it needs.
 BY_ROWS = "the rows that the step needs"
@@ -116,6 +115,8 @@ def _row(name: str) -> str:
 
 def _between() -> tuple[list[LemmaStep], dict[str, str]]:
     """What the step needs besides rows and definitions, at a point."""
+    alpha_0 = MEANING["alpha_0"]
+    discriminant = alpha_0**2 - 4 * r
     root, gap = sqrt(discriminant), ("add", _row("zeta-denominator"), _row("delta_2-positive"))
     proofs: list[tuple[str, Claim, Proof]] = [
         ("radicand", 0 < discriminant, Sum(("goal", _row("fixed-points-exist")))),
@@ -129,7 +130,9 @@ def _between() -> tuple[list[LemmaStep], dict[str, str]]:
         "gap-square-positive": (("pow", gap, 2),),
     }
     for name, claim in BETWEEN.items():
-        found = Sum(("goal", *sums[name])) if name in sums else Sum(using=(phi_minus.name,))
+        found = (
+            Sum(("goal", *sums[name])) if name in sums else Sum(using=(MEANING["phi_minus"].name,))
+        )
         proofs.append((name, claim, found))
     lemmas = [LemmaStep(f"{STEP}.{name}", None, claim, proof) for name, claim, proof in proofs]
     return lemmas, {name: f"{STEP}.{name}" for name in BETWEEN}

@@ -7,7 +7,7 @@ from fractions import Fraction
 from verify.language.statement import PROVED, UNDECIDED
 from verify.paper.commands.pages import decide
 from verify.prover.outcome import Outcome
-from verify.views.material import AtR
+from verify.views.findings import AtR
 
 #: Bits of the least final -cos.
 BITS = 160

@@ -16,15 +16,7 @@ from functools import cache
 from itertools import pairwise
 
 from verify.language.record import Record
-from verify.language.statement import (
-    PROVED,
-    REFUTED,
-    REMARK,
-    UNDECIDED,
-    Choice,
-    Constant,
-    Obligation,
-)
+from verify.language.statement import PROVED, REFUTED, UNDECIDED, Choice, Constant, Obligation
 from verify.language.terms import Claim, Term, as_term, sqrt, symbol
 from verify.paper.commands.spectrum import roots_of_q
 from verify.paper.theorem1 import theorem
@@ -36,7 +28,8 @@ from verify.prover.proof import LemmaStep
 from verify.prover.relations import fails, holds
 from verify.prover.rules import Interval
 from verify.prover.session import Session
-from verify.views.material import Ratios, Roots
+from verify.publication import REMARK
+from verify.views.findings import Ratios, Roots
 
 FIXED = {"V_0": as_term(1), "delta_theta": as_term(Fraction(1, 10))}
 

@@ -21,7 +21,7 @@ from typing import Any
 
 from verify.prover import balls
 from verify.prover.balls import Ball
-from verify.views.material import Complex, Spectrum
+from verify.views.findings import Complex, Spectrum
 
 Scalar = Any  # a Fraction or a Ball: the same formulas serve both
 

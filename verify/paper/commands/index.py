@@ -1,4 +1,4 @@
-"""Where each name of the paper's room is written, without going through that room.
+"""Where each name on a page of the paper is written, without reading the pages.
 
 The program brings along what `verify.paper.commands.places` has found, with a digest of the sources
 in which it looked. Where the sources are others now, it looks again.
@@ -19,13 +19,12 @@ from verify.wire.packaged import PACKAGED
 #: A line with the digest of the sources, then one for each place.
 INDEX = os.path.join(PACKAGED, "places.txt")
 
-#: The rooms that say what is claimed, and where it is written; the paper's commands say nothing.
-ROOMS = ("language", "paper", "spheres")
-COMMANDS = "verify/paper/commands"
+#: The folder of the pages.
+PAGES = "verify/paper"
 
 
 def sources() -> str:
-    """The digest of all modules and pages of the rooms."""
+    """The digest of all pages."""
     found = sha256()
     for path in sorted(_files()):
         with open(os.path.join(ROOT, path), "rb") as file:
@@ -36,12 +35,10 @@ def sources() -> str:
 
 
 def _files() -> Iterator[str]:
-    """The paths of the modules and pages of the rooms, from the folder in which `verify` is."""
-    for room in ROOMS:
-        for folder, _, files in os.walk(os.path.join(ROOT, "verify", room)):
-            inside = os.path.relpath(folder, ROOT).replace(os.sep, "/")
-            if inside != COMMANDS:
-                yield from (f"{inside}/{n}" for n in files if n.endswith((".py", ".toml")))
+    """The paths of the pages, from the folder in which `verify` is."""
+    for folder, _, files in os.walk(os.path.join(ROOT, PAGES)):
+        inside = os.path.relpath(folder, ROOT).replace(os.sep, "/")
+        yield from (f"{inside}/{name}" for name in files if name.endswith(".toml"))
 
 
 @cache

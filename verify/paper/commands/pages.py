@@ -11,10 +11,11 @@ from collections.abc import Mapping
 from contextlib import suppress
 from functools import cache
 
-from verify.language.argument import Argument, Line, ToBeFound
+from verify.language.argument import Argument
 from verify.language.errors import OwnError
 from verify.language.record import TYPE_CHECKING
-from verify.language.statement import Cite, Statement
+from verify.language.statement import UNDECIDED, Cite, Statement
+from verify.prover.budget import WorkBudget
 from verify.prover.outcome import Outcome
 from verify.prover.proof import Proof
 from verify.wire.judge import judged, packaged
@@ -64,28 +65,21 @@ def argument(name: str) -> Argument:
     return Argument(page(name).statement, page(name).chapters)
 
 
-def is_argued(name: str) -> bool:
-    """Whether a line of the page says what it follows from."""
-    lines = (item for chapter in page(name).chapters for item in chapter.items)
-    return any(isinstance(x, Line) and not isinstance(x.reason, ToBeFound) for x in lines)
-
-
 @cache
 def decide(name: str) -> Outcome:
     """The theorem of a page; the checker judges.
 
-    Each line is proved by what it names. Where none names anything the search finds all proofs, as
-    for a page of any author.
+    What is at hand for its lines is tried first. Where that does not suffice, since the page was
+    changed, or where no line names anything, it is decided as a page of any author.
     """
-    if not is_argued(name):
-        from verify.wire import questions  # loaded only where it is used
+    from verify.wire import questions  # loaded only where it is used
 
-        return questions.decide(page(name).statement, hints=page(name).hints)
-    from verify.prover.arguments import write_down  # loaded only where it is used
-
-    with suppress(OwnError):  # what is at hand is refused where the page was changed since then
-        return judged(_written_down(name))
-    return judged(write_down(argument(name)))
+    if page(name).is_argued:
+        with suppress(OwnError):
+            found = judged(_written_down(name))
+            if found.claimed != UNDECIDED:
+                return found
+    return questions.decide_page(page(name), WorkBudget())
 
 
 def _written_down(name: str) -> Outcome:
@@ -143,4 +137,4 @@ def cite(name: str) -> Cite:
         return cite_of(found, certificate, packaged_statements(cited_digests(found)))
     from verify.wire.write import cite_of_outcome  # loaded only where it is used
 
-    return cite_of_outcome(_written_down(name) if is_argued(name) else decide(name))
+    return cite_of_outcome(_written_down(name) if page(name).is_argued else decide(name))

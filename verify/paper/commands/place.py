@@ -23,7 +23,8 @@ class Place(Record):
     def part(self) -> str:
         """The page, or the folder inside `verify/paper/`, or '' for Theorem 1 at a point."""
         first, *others = self.path.split("/")[2:]
-        return first.removesuffix(".toml") if others or first.endswith(".toml") else ""
+        page = first.removesuffix(".toml")
+        return page if others or page not in ("theorem1", first) else ""
 
     @property
     def short(self) -> str:

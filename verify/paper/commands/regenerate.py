@@ -12,11 +12,11 @@ from functools import partial
 
 from verify.language.statement import PROVED, Statement
 from verify.language.terms import Term
-from verify.paper.commands import box, pages, scene, separatrix, spectrum, step, theorem1
+from verify.paper.commands import box, pages, scene, separatrix, spectrum, theorem1
 from verify.paper.commands.certificates import THEOREMS
 from verify.paper.parameters import ALL_PARAMETERS, REPAIRED
 from verify.prover.outcome import Outcome
-from verify.wire.inputs import are_allowed
+from verify.spheres.parameters import are_allowed
 from verify.wire.term_json import TermReader
 from verify.wire.write import write
 
@@ -81,7 +81,10 @@ def _outcomes(theorem: str, parameters: Mapping[str, Term], collisions: int) -> 
     elif box.are_ends(parameters):
         yield box.decide_box(*box.read_box(parameters))
     elif are_allowed(parameters):
-        if theorem == "step-printed" and parameters == step.PARAMETERS:
-            yield step.decide_step_printed()
+        if (
+            theorem == "step-printed"
+            and parameters == pages.statement("step_as_printed").parameters
+        ):
+            yield pages.decide("step_as_printed")
         for selection in SELECTIONS:
             yield theorem1.decide_point(parameters, selection)

@@ -15,18 +15,18 @@ from verify import check
 from verify.paper.commands import curves
 from verify.paper.commands.pages import accepted
 from verify.paper.commands.regenerate import is_right_when_accepted
+from verify.paper.commands.repaired_theorem import whole
 from verify.paper.commands.report_files import CertificateError, read_file, unusable
 from verify.paper.commands.report_maps import is_strip, log_names, read_map, read_strip, story
 from verify.paper.commands.scene import read_back
 from verify.paper.commands.separatrix import NAME as SEPARATRIX
 from verify.paper.commands.separatrix import stored_curve
 from verify.paper.commands.thresholds import all_shares, bands
-from verify.paper.commands.whole import whole
 from verify.paper.glossary import LETTERS
 from verify.paper.parameters import ALL_PARAMETERS, PRINTED, REPAIRED, THEOREM
 from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
-from verify.views.material import (
+from verify.views.findings import (
     CertifiedOutcome,
     CoqRecord,
     Margins,

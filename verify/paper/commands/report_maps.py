@@ -18,7 +18,7 @@ from verify.spheres.map.strip import BorderStrip
 from verify.spheres.scene.decide import Budget, Fate, decide_scene
 from verify.spheres.scene.scene import Coordinates, Scene
 from verify.spheres.scene.verdict import shown_ends, steps, told
-from verify.views.material import CertifiedMap, CertifiedStrip, Instant, Story
+from verify.views.findings import CertifiedMap, CertifiedStrip, Instant, Story
 
 LOG = ".jsonl"
 #: So many digits of the collapse time are followed.

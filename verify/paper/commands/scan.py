@@ -28,13 +28,13 @@ from verify.paper.parameters import GROUPS, HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.step import COLLAPSE
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
-from verify.prover.choose import Chooser, OpenChoiceError, entries_of
+from verify.prover.choices import Chooser, OpenChoiceError, entries_of
 from verify.prover.outcome import Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Proof
 from verify.prover.relations import FAILS, HOLDS, OPEN
 from verify.prover.rules import Interval, Sum
 from verify.prover.straight import StraightLine
-from verify.views.material import ScannedPoint
+from verify.views.findings import ScannedPoint
 from verify.views.words import fair_verdict
 
 #: The precision at which the points are computed, as in a single run.

@@ -15,15 +15,13 @@ from verify.language.statement import PROVED, Applies, Cite, Context, Obligation
 from verify.language.terms import Claim, Term
 from verify.paper.commands.pages import cite, decide, statement
 from verify.prover import balls
-from verify.prover.arguments import write_down
 from verify.prover.decimals import enclosing_decimals, round_decimal
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import ConstantStep, ObligationStep, Premise, Proof, Step
 from verify.prover.rules import Applying, Interval, Sum
 from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER
+from verify.spheres.flow.contexts import FLOW
 from verify.spheres.flow.follow import COLLIDE, DRIFT
-from verify.spheres.flow.theorem import NAME as FLOW
-from verify.spheres.flow.theorem import flow
 from verify.spheres.scene.assumptions import ASSUMPTIONS
 from verify.spheres.scene.decide import (
     COLLAPSES,
@@ -38,15 +36,13 @@ from verify.spheres.scene.decide import (
 )
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.scene_files import is_in_range
-from verify.spheres.scene.telling import (
+from verify.spheres.scene.statement import (
     CLASSIFICATION,
     TIME,
     Numbers,
     Telling,
 )
 from verify.spheres.scene.verdict import scene_lines, theorems
-from verify.wire.judge import judged
-from verify.wire.write import cite_of_outcome
 
 #: Digits of the times in a certificate.
 DIGITS = 16
@@ -61,6 +57,7 @@ MANY, FEW_BITS = 500, 80
 #: The pages of the theorems that a scene may cite.
 PAGES = {
     CLASSIFICATION: "classification",
+    FLOW: "flow",
     LINE: "line",
     SANDWICH: "sandwich_below",
     SHARPER: "sharper",
@@ -70,7 +67,7 @@ PAGES = {
 @cache
 def decide_flow() -> Outcome:
     """One collision of the flow, for every state."""
-    return judged(write_down(flow()))
+    return decide("flow")
 
 
 @cache
@@ -83,8 +80,7 @@ def decide_line() -> Outcome:
 def cited_context(name: str) -> Context:
     """The context that a scene applies, by the name by which it cites it."""
     theorem, _, context = name.partition(":")
-    found = flow().statement if theorem == FLOW else statement(PAGES[theorem])
-    return found.context(context)
+    return statement(PAGES[theorem]).context(context)
 
 
 def tell(found: Fate) -> Telling:
@@ -188,9 +184,7 @@ def cites(found: Fate) -> list[Cite]:
 @cache
 def _cite(name: str) -> Cite:
     """What is claimed in a theorem, with its proof; whoever writes the scene has both checked."""
-    if name != FLOW:
-        return cite(PAGES[name])._replace(name=name)
-    return cite_of_outcome(write_down(flow()))
+    return cite(PAGES[name])._replace(name=name)
 
 
 def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:

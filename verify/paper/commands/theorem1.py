@@ -5,16 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
-from verify.language.statement import (
-    NEEDED,
-    OTHERWISE,
-    PROVED,
-    REMARK,
-    Choice,
-    Constant,
-    Obligation,
-    Statement,
-)
+from verify.language.statement import NEEDED, PROVED, Choice, Constant, Obligation, Statement
 from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
 from verify.paper.commands.citing import with_step
@@ -22,11 +13,12 @@ from verify.paper.parameters import HYPOTHESES, PRINTED, SELECTIONS
 from verify.paper.rows import graded
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
-from verify.prover.choose import BudgetError, choose
+from verify.prover.choices import BudgetError, choose
 from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.ground import Enclosures, Ground
 from verify.prover.outcome import Decision, Outcome, conjunction
 from verify.prover.session import Session
+from verify.publication import OTHERWISE, REMARK
 
 
 class PointRun:

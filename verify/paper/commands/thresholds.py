@@ -14,7 +14,7 @@ from itertools import pairwise
 from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.prover.outcome import Ends, Outcome
-from verify.views.everywhere import LEFT_OPEN
+from verify.views.all_parameters import LEFT_OPEN
 
 #: How many parts 0 < u < 1 is cut into to enclose areas, and how often ends are halved there.
 PARTS, HALVINGS = 500, 24

@@ -88,6 +88,11 @@ class Part(Record):
     depth: int
 
 
+def by_coefficients(question: Question) -> Proof | None:
+    """The proof of `on_interval`, without the definitions of constants."""
+    return on_interval(question.plain)
+
+
 def by_bernstein(question: Question, parts: int) -> Proof | None:
     """A proof for a polynomial, or a quotient, in variables between numbers.
 

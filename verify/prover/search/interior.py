@@ -23,8 +23,9 @@ from verify.prover.budget import SpentError, WorkBudget
 from verify.prover.clearing import Clearing, TooLongError
 from verify.prover.goal import bounds_of
 from verify.prover.numbers import fmpq_of, fraction_of
+from verify.prover.points import simple_points
 from verify.prover.search.compiled import estimates
-from verify.prover.search.local_minima import DISTANCES, Violations, simple_points
+from verify.prover.search.local_minima import DISTANCES, Violations
 from verify.prover.search.simplex import Column, solution
 
 #: About the number of microseconds that a contradiction may take.

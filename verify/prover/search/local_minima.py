@@ -26,9 +26,6 @@ DISTANCES = (4.0, 100.0)
 #: What is violated by nothing, but has to be strict.
 TINY = 1e-9
 
-#: Numbers that a point is tried at first.
-MOST = (1, 2, 3, 4, 6, 10, 12, 60, 100, 1000, 10**4, 10**6, 10**9, 10**12, 10**15, 10**18, 10**22)
-
 
 class Minima:
     """Points where rhs - lhs is small, the smallest first, among those that satisfy givens."""
@@ -193,37 +190,3 @@ def _share(i: int) -> float:
 
 def _near(a: Sequence[float], b: Sequence[float]) -> bool:
     return all(abs(x - y) <= 1e-5 * (1 + abs(x)) for x, y in zip(a, b, strict=True))
-
-
-def simple_points(
-    point: Sequence[float],
-    bounds: Sequence[tuple[Fraction | None, Fraction | None]],
-    *,
-    inside: bool = True,
-) -> Iterator[list[Fraction]]:
-    """Rational points near a point, the simplest first; strictly inside the bounds if asked for."""
-    for most in MOST:
-        near = [Fraction(x).limit_denominator(most) for x in point]
-        if inside:
-            near = [_at_end(x, *ends) for x, ends in zip(near, bounds, strict=True)]
-            near = [_inside(x, *ends, most) for x, ends in zip(near, bounds, strict=True)]
-        yield near
-
-
-def _at_end(value: Fraction, low: Fraction | None, high: Fraction | None) -> Fraction:
-    """A bound that the number is next to, or the number."""
-    for end in (low, high):
-        if end is not None and abs(value - end) * 10**9 <= 1 + abs(end):
-            return end
-    return value
-
-
-def _inside(value: Fraction, low: Fraction | None, high: Fraction | None, most: int) -> Fraction:
-    """The number, or one between the bounds that is not farther from it than need be."""
-    width = Fraction(1) if low is None or high is None else high - low
-    width = min(width, Fraction(1))
-    if low is not None and value <= low:
-        return low + width / (2 * most + 1)
-    if high is not None and value >= high:
-        return high - width / (2 * most + 1)
-    return value

@@ -6,12 +6,14 @@ from fractions import Fraction
 
 from flint import fmpq_mpoly
 
+from verify.language.record import TYPE_CHECKING
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof
 from verify.prover.search.domain import Domain, Factor
-from verify.prover.search.positive import Attempt, written
 from verify.prover.search.question import Question
-from verify.prover.search.squares import Summand
+
+if TYPE_CHECKING:
+    from verify.prover.search.squares import Summand
 
 
 def by_completing_squares(question: Question) -> Proof | None:
@@ -26,6 +28,8 @@ def by_completing_squares(question: Question) -> Proof | None:
     squares = completed(domain)
     if squares is None:
         return None
+    from verify.prover.search.positive import Attempt, written  # loaded only where they are used
+
     attempt = Attempt([Factor(domain.number(1), "1", True, ())], [])
     proof = written(domain, attempt, squares, None)
     return None if proof is None else proof._replace(using=question.using)
@@ -36,6 +40,8 @@ def completed(domain: Domain) -> list[Summand] | None:
 
     With d > 0 in front of x^2, p is d (p'/(2 d))^2 plus what is free of x, for p' the derivative.
     """
+    from verify.prover.search.squares import Summand  # loaded only where it is used
+
     found, rest = [], domain.p
     for i in domain.used:
         slope = rest.derivative(i)

@@ -9,17 +9,21 @@ from functools import cached_property
 
 from flint import fmpq, fmpq_mpoly
 
+from verify.language.record import TYPE_CHECKING
 from verify.language.statement import Given
 from verify.language.terms import Claim, Term, names_of, symbol
 from verify.prover.clearing import Clearing, inner_first, through
 from verify.prover.goal import Goal, definitions_below
-from verify.prover.points import failure_test, refuting_point
+from verify.prover.points import failure_test, refuting_point, simple_points
 from verify.prover.proof import Value
 from verify.prover.rules import Entry
 from verify.prover.search.domain import Domain
-from verify.prover.search.local_minima import Minima, simple_points
+from verify.prover.search.local_minima import Minima
 from verify.prover.session import ZERO
 from verify.prover.universal import Universal
+
+if TYPE_CHECKING:
+    from verify.prover.search.local_minima import Minima
 
 #: An estimate below this may be a zero.
 NEAR_ZERO = 1e-6
@@ -46,6 +50,8 @@ class Question:
     @cached_property
     def estimates(self) -> Minima:
         """The difference of the sides, where the givens hold."""
+        from verify.prover.search.local_minima import Minima  # loaded only where it is used
+
         return Minima(self.goal, self.budget, [*self.given.values()])
 
     @cached_property

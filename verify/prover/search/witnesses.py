@@ -17,8 +17,8 @@ from verify.language.statement import Context
 from verify.language.terms import Claim, Term, as_term, names_of, parts_of, sqrt, substitute
 from verify.prover.clearing import TooLongError, coefficients, expanded
 from verify.prover.goal import Bounds, Goal
-from verify.prover.points import failure_test
-from verify.prover.search.local_minima import DISTANCES, Violations, simple_points
+from verify.prover.points import failure_test, simple_points
+from verify.prover.search.local_minima import DISTANCES, Violations
 from verify.prover.search.question import NEAR_ZERO, Question
 from verify.prover.search.system import System
 from verify.prover.session import ZERO

@@ -11,6 +11,7 @@ from fractions import Fraction
 
 from verify.language.record import Record
 from verify.prover import balls
+from verify.spheres.flow.contexts import PARTING, PASSING
 from verify.spheres.flow.law import (
     Flight,
     Number,
@@ -25,7 +26,6 @@ from verify.spheres.flow.law import (
     parted,
     recentred,
 )
-from verify.spheres.flow.pairs import PARTING, PASSING
 from verify.spheres.scene.scene import (
     FIRST_FRAMES,
     PAIRS,

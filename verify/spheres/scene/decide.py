@@ -8,11 +8,11 @@ from fractions import Fraction
 from verify.language.record import Record
 from verify.prover import balls
 from verify.spheres.flow.collapse import Collapse, find_collapse, find_line_collapse
+from verify.spheres.flow.exact_events import GRAZING, TRIPLE, Event, what_happens
+from verify.spheres.flow.exact_events import SAYS as EVENTS
 from verify.spheres.flow.follow import Flow, UnclearError
 from verify.spheres.flow.line import LineRun, follow_line, is_on_a_line
 from verify.spheres.flow.sandwich import find_sandwich
-from verify.spheres.flow.together import GRAZING, TRIPLE, Event, what_happens
-from verify.spheres.flow.together import SAYS as EVENTS
 from verify.spheres.scene.criteria import Criterion, finitely_many
 from verify.spheres.scene.scene import Scene
 

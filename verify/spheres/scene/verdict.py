@@ -10,14 +10,14 @@ from verify.language.record import Record
 from verify.prover import balls
 from verify.prover.decimals import exact_number, outward, short
 from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, Start, start_of
+from verify.spheres.flow.contexts import FLOW
 from verify.spheres.flow.follow import RECENTRE, name_of
 from verify.spheres.flow.law import Number
-from verify.spheres.flow.theorem import NAME as FLOW
 from verify.spheres.scene.criteria import SAYS, SAYS_OF_UNEQUAL
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Fate
 from verify.spheres.scene.energy import energy_lost, normal_speeds
 from verify.spheres.scene.scene import Scene
-from verify.spheres.scene.telling import CLASSIFICATION
+from verify.spheres.scene.statement import CLASSIFICATION
 
 #: Bits of an angle in degrees, of which at most 60 digits are shown.
 ANGLE_BITS = 512

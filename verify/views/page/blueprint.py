@@ -6,9 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from html import escape
 
 from verify.language.record import Record
-from verify.language.statement import PRINTED, REFUTED, Applies, Cite, Obligation, Publication
+from verify.language.statement import PRINTED, REFUTED, Applies, Cite, Obligation
 from verify.prover.outcome import Outcome
 from verify.prover.uses import nodes
+from verify.publication import Publication
 from verify.views.plots import drawing
 from verify.views.plots.drawing import pattern
 from verify.views.words import fair, in_letters

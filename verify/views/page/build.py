@@ -11,23 +11,14 @@ from typing import Any
 
 from verify import __version__
 from verify.language.record import Record
-from verify.language.statement import (
-    BREAKS,
-    HARMLESS,
-    OTHERWISE,
-    PRINTED,
-    PROVED,
-    REFUTED,
-    REMARK,
-    REPAIRED,
-    SLIP,
-)
+from verify.language.statement import PRINTED, PROVED, REFUTED
 from verify.language.terms import Claim
 from verify.language.typeset import LONG
 from verify.prover.decimals import outward
 from verify.prover.outcome import Outcome
-from verify.views import classification, everywhere, words
-from verify.views.material import Material
+from verify.publication import BREAKS, HARMLESS, OTHERWISE, REMARK, REPAIRED, SLIP
+from verify.views import all_parameters, classification, words
+from verify.views.findings import Material
 from verify.views.mathml import MathML
 from verify.views.page import rows
 from verify.views.page.blueprint import proof_drawing
@@ -38,7 +29,7 @@ from verify.views.plots.letters import letters_drawing
 from verify.views.plots.shapes import Figure, Panel
 from verify.views.point import in_numbers, place
 from verify.views.screen import causes
-from verify.views.setting import TEMPLATES, in_html
+from verify.views.typesetting import TEMPLATES, in_html
 
 TITLE = "Three particles collapse: what is proved"
 #: The style sheet of all pages, with their font.
@@ -285,11 +276,11 @@ def _content(material: Material) -> dict[str, Any]:
         "severity": paper.severity,
         "coq": checked_in_coq(material),
         "latex": latex(main),
-        "whole_latex": everywhere.latex(material.whole),
-        "whole_set": everywhere.SET,
-        "whole_more": everywhere.FLIGHT,
+        "whole_latex": all_parameters.latex(material.whole),
+        "whole_set": all_parameters.SET,
+        "whole_more": all_parameters.FLIGHT,
         "whole_math": MathML({n: tex for n, (_, tex) in material.whole.letters.items()}),
-        "whole_text": everywhere.plain(material.whole),
+        "whole_text": all_parameters.plain(material.whole),
         "Math": rows.Math,
         "subtitle": (
             f"{paper.authors}, {paper.title} ({paper.text_read}; its companion is "
@@ -301,7 +292,7 @@ def _content(material: Material) -> dict[str, Any]:
         "CLASSES": CLASSES,
         "SETS": SETS,
         "MEASURED": MEASURED,
-        "EVERYWHERE_IN_WORDS": everywhere.CLAIM,
+        "EVERYWHERE_IN_WORDS": all_parameters.CLAIM,
         "SETTING": classification.SETTING,
         "THEOREMS": classification.THEOREMS,
         "LONG": LONG,

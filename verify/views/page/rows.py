@@ -6,19 +6,12 @@ from collections.abc import Iterable, Iterator
 
 from verify.language.record import Record
 from verify.language.simplify import simplified_claim
-from verify.language.statement import (
-    HYPOTHESES,
-    PRINTED,
-    Always,
-    Applies,
-    Constant,
-    Obligation,
-    Publication,
-)
+from verify.language.statement import PRINTED, Always, Applies, Constant, Obligation
 from verify.language.terms import Claim, Term, symbol
 from verify.language.typeset import LONG
 from verify.prover.decimals import decimal_text, outward, round_decimal, short
 from verify.prover.outcome import Decision, Ends, Outcome
+from verify.publication import HYPOTHESES, Publication
 from verify.views import words
 from verify.views.mathml import MathML
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from verify.language.record import Record
-from verify.views.material import CertifiedMap, CertifiedStrip, Plotted, Story
+from verify.views.findings import CertifiedMap, CertifiedStrip, Plotted, Story
 from verify.views.plots import map_figure, margins, region, roots, speed
 from verify.views.plots.collapse import figure as collapse_figure
 from verify.views.plots.shapes import Figure

@@ -14,7 +14,7 @@ from html import escape
 
 from verify.language.record import Record
 from verify.prover.decimals import short
-from verify.views.material import Instant, Story
+from verify.views.findings import Instant, Story
 from verify.views.plots.drawing import begun
 from verify.views.plots.scene_drawing import Leg, Vector, legs, places_at
 from verify.views.plots.shapes import Areas, Figure, Panel, Scale, Shape, powers

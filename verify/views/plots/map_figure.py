@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from verify.prover.decimals import exact_number
+from verify.views.findings import CertifiedMap, CertifiedStrip
 from verify.views.map import (
     AREAS,
     COLLAPSES,
@@ -21,7 +22,6 @@ from verify.views.map import (
     percent,
     plane_line,
 )
-from verify.views.material import CertifiedMap, CertifiedStrip
 from verify.views.plots import shapes
 
 #: The colour of each area; the border is what is left between the two decided ones.

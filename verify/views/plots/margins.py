@@ -6,9 +6,10 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import groupby
 
-from verify.language.statement import BREAKS, PRINTED, PROVED, REFUTED, REPAIRED
+from verify.language.statement import PRINTED, PROVED, REFUTED
 from verify.prover.decimals import decimal_text, round_decimal
-from verify.views.material import Margins, Ratios
+from verify.publication import BREAKS, REPAIRED
+from verify.views.findings import Margins, Ratios
 from verify.views.plots import shapes
 
 TIGHTEST = 14

@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from verify.language.statement import PRINTED, PROVED, REFUTED
-from verify.views.everywhere import dependences
-from verify.views.material import Rectangle, Region
+from verify.views.all_parameters import dependences
+from verify.views.findings import Rectangle, Region
 from verify.views.plots import shapes
 from verify.views.words import fair
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from verify.prover.outcome import Ends
-from verify.views.material import Roots
+from verify.views.findings import Roots
 from verify.views.plots.shapes import Areas, Disc, Figure, Panel, Scale, Shape, Words, marks
 
 

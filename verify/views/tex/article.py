@@ -12,19 +12,18 @@ from verify.language.statement import (
     PRINTED,
     PROVED,
     REFUTED,
-    REPAIRED,
     Always,
     Applies,
     Assumption,
     Constant,
     Context,
     Obligation,
-    Publication,
 )
 from verify.language.terms import Claim, Term
 from verify.prover.decimals import short, told_apart
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.uses import nodes
+from verify.publication import REPAIRED, Publication
 from verify.views.enclosures import exactly
 from verify.views.point import in_numbers
 from verify.views.tex.formulas import Formulas, safe_letter

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from verify import check
-from verify.wire.coq.motion import about_balls
 from verify.wire.coq.proofs import Proofs
 from verify.wire.coq.readable import Readable, readable
 from verify.wire.coq.reading import NotAcceptedError, Reading, label, read
@@ -12,10 +13,14 @@ from verify.wire.coq.statement import listed
 ASSUMPTIONS = "\nPrint Assumptions proved.\n"
 
 
-def export(folder: check.Folder, *, ordinary: bool = False, balls: bool = False) -> str:
+#: What a file ends in, instead of the theorem that the statement is true.
+Ending = Callable[[Reading], list[str]]
+
+
+def export(folder: check.Folder, *, ordinary: bool = False, ending: Ending | None = None) -> str:
     """A Coq file that proves the statement from the certificate; also in ordinary notation.
 
-    With ``balls`` it ends in what the statement says of three balls.
+    With ``ending`` it ends in what that says of the statement.
 
     Raises:
         NotAcceptedError: for what is no certificate that proves its statement.
@@ -23,11 +28,11 @@ def export(folder: check.Folder, *, ordinary: bool = False, balls: bool = False)
     reading = read(folder)
     if reading.complaints:
         raise NotAcceptedError("; ".join(reading.complaints))
-    more = about_balls(reading) if balls else []
-    if ordinary and not balls:
-        more = readable(reading, Readable(reading))
-    last = ASSUMPTIONS.replace("proved", "three_balls") if balls else ASSUMPTIONS
-    return "\n".join((head(reading), *data(reading), *theorem(reading), *more, last))
+    if ending is not None:
+        more = ending(reading)
+    else:
+        more = [*(readable(reading, Readable(reading)) if ordinary else ()), ASSUMPTIONS]
+    return "\n".join((head(reading), *data(reading), *theorem(reading), *more))
 
 
 def head(reading: Reading) -> str:

@@ -9,7 +9,7 @@ under conditions.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from itertools import combinations, pairwise
@@ -192,7 +192,8 @@ class Dialect(Record):
     """The words of a language: operations, relations, numbers with names.
 
     ``truths`` are false and true; ``words`` are those that no name may be. ``last`` says whether
-    ``(! ...)`` has its term as the last part; that is how FPCore has it.
+    ``(! ...)`` has its term as the last part; that is how FPCore has it. ``foreign`` are words of
+    the language that are not read.
     """
 
     operations: Mapping[str, Operation]
@@ -203,6 +204,7 @@ class Dialect(Record):
     conditional: str
     words: frozenset[str]
     last: bool
+    foreign: frozenset[str] = frozenset()
 
 
 _CONNECTIVES = ("not", "and", "or", "=>", "xor", "ite")
@@ -228,6 +230,19 @@ SMTLIB = Dialect(
     ),
     last=False,
 )
+#: What ``(! ...)`` may say in FPCore: how to round, which real numbers do not care about.
+ROUNDING = frozenset([":precision", ":round", ":overflow", ":math-library"])
+#: What FPCore has besides, and no page.
+_FOREIGN = frozenset(
+    [
+        *("fma", "exp2", "expm1", "log2", "log10", "log1p", "hypot", "fmod", "remainder", "fdim"),
+        *("asinh", "acosh", "atanh", "erf", "erfc", "tgamma", "lgamma", "atan2", "copysign"),
+        *("ceil", "floor", "trunc", "round", "nearbyint", "cast", "while", "while*", "for", "for*"),
+        *("tensor", "tensor*", "array", "dim", "size", "ref", "digits", "data"),
+        *("isfinite", "isinf", "isnan", "isnormal", "signbit", "INFINITY", "NAN"),
+        *("LOG2E", "LOG10E", "PI_2", "PI_4", "M_1_PI", "M_2_PI", "M_2_SQRTPI", "SQRT2", "SQRT1_2"),
+    ]
+)
 FPCORE = Dialect(
     {**_COMMON, "fabs": FUNCTIONS["abs"], "fmin": minimum, "fmax": maximum},
     {**_ORDERS, "==": "="},
@@ -237,6 +252,7 @@ FPCORE = Dialect(
     "if",
     frozenset([*_ORDERS, *"+-*/", "==", "!=", "not", "and", "or", "if", "let", "let*", "!"]),
     last=True,
+    foreign=_FOREIGN,
 )
 
 
@@ -373,7 +389,7 @@ class Reader:
             found = self._formula(head, parts, scope)
             if found is not None:
                 return found
-        instead = nearest(head, self.dialect.operations)
+        instead = self._instead(head, self.dialect.operations)
         raise self.source.error(head, f"the operation {shown(head)} cannot be used; {instead}")
 
     def _leaf(self, word: Word, scope: Scope) -> Value:
@@ -391,8 +407,25 @@ class Reader:
             return real(self.dialect.numbers[word])
         if word in self.dialect.truths:
             return (FALSE, TRUE)[self.dialect.truths.index(word)]
-        instead = nearest(word, scope.names(), "declare it before")
-        raise self.source.error(word, f"{shown(word)} is not known; {instead}")
+        if not word.quoted and re.match(r"[+-]?\.?[0-9]", word):
+            raise self.source.error(
+                word, f"{shown(word)} is no number in decimal digits; write 8 or 0.5"
+            )
+        known_names = [*scope.names(), *self.dialect.numbers]
+        raise self.source.error(
+            word, f"{shown(word)} is not known; {self._instead(word, known_names)}"
+        )
+
+    def _instead(self, word: Word, known: Iterable[str]) -> str:
+        """What to write for a word that is not read; nothing like it if the language has it."""
+        if word in self.dialect.foreign:
+            return "this word of FPCore is not read; write what it means with + - * / exp log ..."
+        if known is self.dialect.operations:
+            return nearest(word, known)
+        if not word.is_symbol:
+            return "write a name or a number"
+        otherwise = "write it among the arguments" if self.dialect.last else "declare it before"
+        return nearest(word, known, otherwise)
 
     # --- names -----------------------------------------------------------------------------------
 
@@ -419,7 +452,7 @@ class Reader:
         is_table = len(tree) % 2 == 0 and all(
             isinstance(key, Word) and key.startswith(":") for key in keys
         )
-        if not (self.dialect.last and is_table):
+        if not (self.dialect.last and is_table) or not {*keys} <= ROUNDING:
             raise self.source.error(tree, "an annotation cannot be used here; leave it out")
         return self.value(tree[-1], scope)
 

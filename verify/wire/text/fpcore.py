@@ -7,25 +7,33 @@ each side, rounded outwards; the rows say that they hold.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from fractions import Fraction
-from math import floor, isfinite, log10
+from math import floor
 from os.path import basename
 
 from verify.language.statement import NEEDED, Context, Given, Obligation, Statement, Variable
 from verify.language.terms import Claim, Term, as_term, names_of, parts_of, symbol
-from verify.wire.inputs import InputError, shown
+from verify.wire.inputs import MAX_EXPONENT, InputError, nearest, shown
 from verify.wire.text.conjunctions import Order, TooManyCasesError, cases, is_large, named
 from verify.wire.text.formulas import FPCORE, Reader, Scope, real
 from verify.wire.text.lisp import FPCORE as WORDS
 from verify.wire.text.lisp import Names, Source, Tree, Word
-from verify.wire.text.points import Points, estimate
+from verify.wire.text.points import Points
+from verify.wire.text.samples import NoValueError, Samples
 
 #: How many points are sampled, and to how many digits the spare hundredth is told.
 SAMPLES, DIGITS = 2000, 1
 #: So many expressions are in a file; at the samples of all of them, as many parts are looked at,
 #: but of each one at least a few.
 MAX_CORES, MAX_PARTS, FEW = 256, 1_000_000, 20
+#: The properties of FPCore 2.0. Of these only the precondition says which real numbers are meant;
+#: those with a hyphen belong to single tools.
+PROPERTIES = (
+    ":pre",
+    *(":name", ":description", ":cite", ":precision", ":round", ":overflow", ":math-library"),
+    *(":spec", ":alt", ":example"),
+)
 
 
 def read_fpcore(path: str, content: bytes) -> Statement:
@@ -82,6 +90,7 @@ class _Core:
         (self.term,), self.constants = named(f"{self.label}.part-", [self._body()])
         self.givens = [Given(f"{self.label}.{i}", c) for i, c in enumerate(self.claims, 1)]
         self.variables = [term.name for term in self.names.values()]
+        self.samples = Samples(self.variables, self.claims, self.constants)
         self.point = self._point(points)
 
     def _table(self, properties: list[Tree]) -> dict[str, Tree]:
@@ -92,6 +101,10 @@ class _Core:
         for key, value in zip(properties[::2], properties[1::2], strict=True):
             if not (isinstance(key, Word) and key.startswith(":")):
                 raise self.source.error(key, "is no property; write a name such as :pre")
+            if key not in PROPERTIES and "-" not in key:
+                raise self.source.error(
+                    key, f"{shown(key)} is not known; {nearest(key, PROPERTIES)}"
+                )
             if key in found:
                 raise self.source.error(key, f"{key} stands there twice; write it once")
             found[key] = value
@@ -130,9 +143,18 @@ class _Core:
 
     def _point(self, points: Points) -> dict[str, Term]:
         found = points.find(self.variables, self.givens, {})
+        found = self._middle() if found is None else found
         if found is None:
             raise self.source.error(self.tree, "no point of its precondition was found")
         return found
+
+    def _middle(self) -> dict[str, Term] | None:
+        """The middle of the box of the inputs, if it seems to satisfy the precondition."""
+        ends = [self.samples.range(name) for name in self.variables]
+        point = [(low + high) / 2 for low, high in ends if low is not None and high is not None]
+        if len(point) < len(ends) or not [*self.samples.values(as_term(0), [point])]:
+            return None
+        return dict(zip(self.variables, map(as_term, point), strict=True))
 
     def context(self) -> Context:
         """All inputs that satisfy the precondition."""
@@ -154,49 +176,49 @@ class _Core:
         """That the expression is between two bounds; so many parts are looked at."""
         sides = [side for claim in self.claims for side in (claim.lhs, claim.rhs)]
         size = sum(1 for _ in parts_of(self.term, *(c.term for c in self.constants), *sides))
-        count = min(SAMPLES, max(FEW, parts // size))
-        found = [value for value in map(self._value, self._samples(count)) if isfinite(value)]
+        points = [*self._points(min(SAMPLES, max(FEW, parts // size)))]
+        try:
+            found = [*self.samples.values(self.term, points)]
+        except NoValueError as error:
+            raise self.source.error(
+                self.tree,
+                f"at some of its inputs the expression has no value that is at most "
+                f"10^{MAX_EXPONENT}; leave them out by :pre",
+            ) from error
         if not found:
             raise self.source.error(self.tree, "the expression has no value at any sampled point")
-        low, high = Fraction(min(found)), Fraction(max(found))
+        low, high = min(low for low, _ in found), max(high for _, high in found)
         spare = (high - low) / 100 or abs(high) / 100 or Fraction(1)
-        unit = Fraction(10) ** (floor(log10(spare)) - DIGITS)
+        unit = Fraction(10) ** (_log10(spare) - DIGITS)
         below, above = floor((low - spare) / unit) * unit, -floor(-(high + spare) / unit) * unit
         claims = {"low": as_term(below) <= self.term, "high": self.term <= as_term(above)}
         for name, claim in claims.items():
             yield Obligation(f"{self.label}-{name}", "", "", NEEDED, "", claim, context=self.label)
 
-    def _value(self, at: Mapping[str, float]) -> float:
-        values = dict(at)
-        for constant in self.constants:
-            values[constant.name] = estimate(constant.term, values)
-        return estimate(self.term, values)
-
-    def _samples(self, count: int) -> Iterator[dict[str, float]]:
-        """Points of the precondition, corners of its box among them; the same in each run."""
+    def _points(self, count: int) -> Iterator[list[Fraction]]:
+        """Points of the box of the inputs, its corners among them; the same in each run."""
         box = [self._range(name) for name in self.variables]
         state = 1
         for _ in range(count):
-            at = {}
-            for name, (low, high) in zip(self.variables, box, strict=True):
+            at = []
+            for low, high in box:
                 state = state * 6364136223846793005 % 2**64
                 part = min(max((state >> 32) / 2**32 * 1.5 - 0.25, 0.0), 1.0)  # often an end
-                at[name] = low + (high - low) * part
-            if all(_holds(claim, at) for claim in self.claims):
-                yield at
+                at.append(low + (high - low) * Fraction(part))
+            yield at
 
-    def _range(self, name: str) -> tuple[float, float]:
-        lows = [estimate(c.lhs, {}) for c in self.claims if c.rhs == symbol(name)]
-        highs = [estimate(c.rhs, {}) for c in self.claims if c.lhs == symbol(name)]
-        found = [[x for x in ends if isfinite(x)] for ends in (lows, highs)]
-        if name in names_of(self.term, *(c.term for c in self.constants)) and not all(found):
+    def _range(self, name: str) -> tuple[Fraction, Fraction]:
+        low, high = self.samples.range(name)
+        is_used = name in names_of(self.term, *(c.term for c in self.constants))
+        if is_used and (low is None or high is None):
             letter = name.rpartition(".")[2]
             raise self.source.error(
                 self.tree, f"{letter} has no bounds; write for example :pre (<= 0 {letter} 1)"
             )
-        return max(found[0], default=0.0), min(found[1], default=0.0)
+        return low or Fraction(0), high or Fraction(0)
 
 
-def _holds(claim: Claim, at: Mapping[str, float]) -> bool:
-    left, right = estimate(claim.lhs, at), estimate(claim.rhs, at)
-    return left <= right  # an end of an open range is as good as a point near it
+def _log10(number: Fraction) -> int:
+    """The exponent of the greatest power of ten that is at most a positive number."""
+    found = len(str(number.numerator)) - len(str(number.denominator))
+    return found if Fraction(10) ** found <= number else found - 1

@@ -421,7 +421,9 @@ class _Reader:
         if kind in ("name", "number", "quoted") or word == "(":
             return f"no sign stands between {before[1]} and {word}; write {before[1]}*{word}"
         found = f"{self.next_word()}, and does not belong there"
-        if word == "," and before[0] == self.tokens[self.at + 1][0] == "number":
+        if word == "," and any(word in RELATIONS for _, word in self.tokens[self.at :]):
+            found += "; write each claim as a text of its own, in a list"
+        elif word == "," and before[0] == self.tokens[self.at + 1][0] == "number":
             found += f"; write a point: {before[1]}.{self.tokens[self.at + 1][1]}"
         return found
 
@@ -626,7 +628,10 @@ class _Reader:
         if word == DOT:
             return self._dot()
         self.at -= 1
-        arguments = [self.number(value) for value in self._arguments()]
+        values = self._arguments()
+        if word in MANY and len(values) == 1 and isinstance(values[0], Table):
+            values = [entry for row in values[0].rows for entry in row]
+        arguments = [self.number(value) for value in values]
         if word == "root":
             return self._root(arguments)
         if (len(arguments) > 1) != (word in MANY):

@@ -6,13 +6,14 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-from verify.language.argument import Chapter
+from verify.language.record import TYPE_CHECKING
 from verify.language.statement import (
     NEEDED,
     PRINTED,
     Always,
     Applies,
     Assumption,
+    Choice,
     Cite,
     Constant,
     Context,
@@ -37,16 +38,18 @@ from verify.wire.text.infix import (
 from verify.wire.text.letters import letter_of, name_of, tex_of
 from verify.wire.text.places import Places
 from verify.wire.text.points import Points, contradiction, estimate
-from verify.wire.text.roots import isolated
 from verify.wire.text.scope import Scope
 from verify.wire.text.vectors import gram_of, products_of
+
+if TYPE_CHECKING:
+    from verify.language.argument import Chapter
 
 #: What may stand in a page, and in its tables.
 TOP = (
     *("title", "theorem", "group", "parameters", "cites", "assumptions", "let", "constants"),
-    *("contexts", "rows", "chapters"),
+    *("contexts", "rows", "chapters", "sets"),
 )
-CONSTANT = ("value", "letter", "tex", "label")
+CONSTANT = ("value", "letter", "tex", "label", "choose", "above")
 VARIABLE = ("letter", "tex")
 CONTEXT = (
     *("in", "says", "variables", "let", "given", "carried", "standing", "point"),
@@ -78,6 +81,9 @@ class Reader:
         self.contexts: dict[str, Context] = {}
         self.assumptions: dict[str, Assumption] = {}
         self.rows: dict[str, Obligation] = {}
+        self.constants: list[Constant] = []
+        self.sets: dict[str, str] = {}  # the role of the rows of each
+        self.choices: dict[str, Choice] = {}
         self.hints: dict[str, Hint] = {}
         self.states: dict[str, dict[str, Mapping[str, Term]]] = {}
         self.premises: dict[str, tuple[str, ...]] = {}
@@ -165,8 +171,9 @@ class Reader:
         cites = tuple(self._cites(table.get("cites", {})))
         self._assumptions(table.get("assumptions", {}))
         parameters = self._parameters(table.get("parameters", {}))
-        self.let(["let"], table.get("let", {}), None)
-        constants = self._constants(["constants"], table.get("constants", {}), None)
+        self._sets(table.get("sets", {}))
+        self.let(["let"], table.get("let", {}), (None,))
+        self.constants += self._constants(["constants"], table.get("constants", {}), None)
         for name, value in self.table(["contexts"], table.get("contexts", {})).items():
             self._context(name, value)
         self._rows(table)
@@ -179,15 +186,51 @@ class Reader:
             theorem,
             title,
             parameters,
-            tuple(constants),
+            tuple(sorted(self.constants, key=self._place)),
             tuple(self.contexts.values()),
-            tuple(self.rows.values()),
+            tuple(sorted(self.rows.values(), key=self._place)),
             tuple(self.assumptions.values()),
             cites,
         )
         self._known_rows()
         self._used_functions()
-        return Page(statement, self.hints, chapters=lines)
+        return Page(statement, self.hints, chapters=lines, choices=self.choices)
+
+    # --- sets -----------------------------------------------------------------------------------
+
+    def _sets(self, value: object) -> None:
+        """Sets of constants with the same rows: in the order in which they stand in the statement.
+
+        A name that is written in a set is that of one of its constants, if it has such a one.
+        """
+        for name, role in self.table(["sets"], value).items():
+            keys = ["sets", name]
+            self.name(keys, name)
+            self.sets[name] = self.one_of(keys, role, (PRINTED, NEEDED))
+            self.scope.open(name, None)
+
+    def _place(self, item: Constant | Obligation) -> int:
+        """What is in no set stands first, then the sets one by one."""
+        before = item.name.partition(".")[0]
+        return 1 + list(self.sets).index(before) if before in self.sets else 0
+
+    def placed(
+        self, entries: Mapping[str, Any], homes: Sequence[str | None]
+    ) -> Iterator[tuple[str, str, str | None]]:
+        """The key of each entry, its name without that of a set, and the place that it is about.
+
+        An entry whose name begins with that of a set is about this set, others about all places.
+        """
+        for key in entries:
+            before, point, rest = key.partition(".")
+            if point and before in self.sets:
+                yield key, rest, before
+            else:
+                yield from ((key, key, home) for home in homes)
+
+    def full(self, name: str, home: str | None) -> str:
+        """The name in the statement of what is written in a place, which may be a set."""
+        return f"{home}.{name}" if home in self.sets else name
 
     def _cites(self, value: object) -> Iterator[Cite]:
         for name, entry in self.table(["cites"], value).items():
@@ -262,22 +305,62 @@ class Reader:
     def _constants(
         self, keys: Sequence[str], value: object, home: str | None, default: str = ""
     ) -> list[Constant]:
-        found = []
-        for key, entry in self.table(keys, value).items():
-            place, written = [*keys, key], self._full(name_of(key), home)
-            item = entry if isinstance(entry, dict) else {"value": entry}
-            self.table(place, item, CONSTANT)
-            if "value" not in item:
-                raise self.places.error(place, 'its value is missing; write value = "..."')
-            where = [*place, "value"] if isinstance(entry, dict) else place
-            term = self.term(where, item["value"], self.scope.inside(home))
+        return [
+            self.constant([*keys, key], name_of(key), entry, home, default)
+            for key, entry in self.table(keys, value).items()
+        ]
+
+    def constant(
+        self, place: Sequence[str], key: str, entry: object, home: str | None, default: str = ""
+    ) -> Constant:
+        """A constant of a place: of the page, of a context, or of a set.
+
+        One of a set has the letters and the label of an earlier one that is called the same.
+        """
+        item = entry if isinstance(entry, dict) else {"value": entry}
+        self.table(place, item, CONSTANT)
+        if "value" not in item:
+            raise self.places.error(place, 'its value is missing; write value = "..."')
+        where = [*place, "value"] if isinstance(entry, dict) else place
+        term = self.term(where, item["value"], self.scope.inside(home))
+        written = self._full(key, home)
+        if home in self.sets:
+            name = self.name(place, f"{home}.{written}")
+            item = self._said_before(written) | item
+        else:
             name = self._new(place, written, home)
-            letter, tex = self._letters(place, item, written)
-            label = self.text([*place, "label"], item.get("label", default), "a label")
-            found.append(Constant(name, letter, tex, label, term))
-            self.scope.add(written, name, home)
-            self.floats[name] = estimate(term, self.floats)
+        letter, tex = self._letters(place, item, written)
+        label = self.text([*place, "label"], item.get("label", default), "a label")
+        found = Constant(name, letter, tex, label, term)
+        self._choice(place, item, found, home)
+        self.scope.add(written, name, home)
+        self.floats[name] = estimate(term, self.floats)
         return found
+
+    def _said_before(self, written: str) -> dict[str, Any]:
+        """What is said of an earlier constant that is called the same, without its set."""
+        same = (c for c in self.constants if c.name in (written, *self._in_sets(written)))
+        return next(({"letter": c.letter, "tex": c.tex, "label": c.label} for c in same), {})
+
+    def _in_sets(self, written: str) -> list[str]:
+        return [f"{name}.{written}" for name in self.sets]
+
+    def _choice(
+        self, place: Sequence[str], item: Mapping[str, Any], bound: Constant, home: str | None
+    ) -> None:
+        """Whether the value is a bound, on one side of which the constant may be chosen."""
+        if "choose" not in item:
+            if "above" in item:
+                raise self.places.error([*place, "above"], 'write choose = "down", too')
+            return
+        if home is not None and home not in self.sets:
+            what = "a constant of a context is not chosen; leave choose out"
+            raise self.places.error([*place, "choose"], what)
+        direction = self.one_of([*place, "choose"], item["choose"], ("down", "up"))
+        base = None
+        if "above" in item:
+            base = self.term([*place, "above"], item["above"], self.scope.inside(home))
+        self.choices[bound.name] = Choice(bound, direction, base)
 
     @staticmethod
     def _is_taken(name: str) -> str:
@@ -315,7 +398,7 @@ class Reader:
         parent = self.around(keys, table, "an earlier one")
         self.scope.open(name, parent)
         names = self._variables(keys, table, name)
-        self.let([*keys, "let"], table.get("let", {}), name)
+        self.let([*keys, "let"], table.get("let", {}), (name,))
         if "gram" in table or "products" in table:
             self._vectors(keys, table, name)
         if "root" in table:
@@ -380,10 +463,11 @@ class Reader:
         except ValueError as error:
             raise self.places.error(place, str(error)) from error
 
-    def let(self, keys: Sequence[str], value: object, home: str | None) -> None:
+    def let(self, keys: Sequence[str], value: object, homes: Sequence[str | None]) -> None:
         """Abbreviations, each of which is the term or table for which it stands; and functions."""
-        for short, body in self.table(keys, value).items():
-            place, inside = [*keys, short], self.scope.inside(home)
+        entries = self.table(keys, value)
+        for key, short, home in self.placed(entries, homes):
+            place, body, inside = [*keys, key], entries[key], self.scope.inside(home)
             where = self.places.where(place, body)
             match = CALL.fullmatch(short)
             if match:
@@ -438,6 +522,8 @@ class Reader:
         ((written, variable),) = names.items()
         other = variable._replace(name=self.name(keys, f"{whole}.{written}"))
         self.scope.add(other.name, other.name, whole)
+        from verify.wire.text.roots import isolated  # loaded only where it is used
+
         numbers = (ends[0].value, ends[1].value)
         try:
             found = isolated(name, (variable, other), term, numbers, self.floats)

@@ -39,14 +39,15 @@ from verify.language.argument import (
     Reason,
     ToBeFound,
 )
-from verify.language.statement import REFUTED, Always, Applies, Obligation
+from verify.language.statement import NEEDED, REFUTED, Always, Applies, Obligation
 from verify.language.terms import Claim, Term, names_of, substitute_claim
+from verify.prover.arguments import facts_of
 from verify.wire.inputs import nearest, shown
 from verify.wire.text.by import Facts, read_by
 from verify.wire.text.infix import read_term
 from verify.wire.text.page_tables import Reader
 
-CHAPTER = ("in", "group", "label", "says", "uses", "let", "at", "by", "rows")
+CHAPTER = ("in", "group", "label", "says", "uses", "let", "at", "by", "using", "constants", "rows")
 LINE = (
     *("lemma", "claim", "applies", "at", "always", "start", "next", "instance", "in"),
     *("says", "label", "uses", "role", "severity", "corrected_by"),
@@ -88,7 +89,7 @@ class Lines:
         if not isinstance(value, list):
             raise self.places.error(["chapters"], "is no list of tables; write [[chapters]]")
         last = {self._home(entry): number for number, entry in enumerate(value)}
-        found: list[Chapter] = []
+        found = [*self._before()] if value else []
         for number, entry in enumerate(value):
             found += self._chapter(entry)
             home = self._home(entry)
@@ -99,9 +100,52 @@ class Lines:
             found += [Chapter(home, tuple(self._left(home))) for home in self.page.contexts]
         return tuple(_joined(found))
 
+    def _before(self) -> Iterator[Chapter]:
+        """The rows that stand outside of chapters, as lines before them."""
+        for row in self.page.rows.values():
+            claim = row.claim
+            yield from self._opened_up_to(row.context)
+            yield from self._opened_up_to(None if isinstance(claim, Claim) else claim.context)
+            line = Line(row.name, claim, ToBeFound())
+            yield from self._with_constants(line, row.context)
+            self._known(line, row.context)
+
+    def _with_constants(self, line: Line, home: str | None) -> Iterator[Chapter]:
+        """A line, after the constants that it is the first to use."""
+        for constant in self._defined(line):
+            yield Chapter(self.homes[constant.name], (constant,))
+        yield Chapter(home, (line,))
+
     def _home(self, entry: object) -> str | None:
-        """The context of a chapter."""
-        return self.page.around(["chapters"], self.page.table(["chapters"], entry, CHAPTER))
+        """The context of a chapter, if it is in one."""
+        (home, *others) = self._homes(entry)
+        return None if others or home in self.page.sets else home
+
+    def _homes(self, entry: object) -> Sequence[str | None]:
+        """Where a chapter is: in a context, in one or some sets of constants, or in neither."""
+        table, sets = self.page.table(["chapters"], entry, CHAPTER), self.page.sets
+        value = table.get("in", [])
+        if not sets or not value or (isinstance(value, str) and value not in sets):
+            return (self.page.around(["chapters"], table),)
+        names = self.page.texts(["chapters", "in"], value)
+        return [self.page.one_of(["chapters", "in"], name, [*sets]) for name in names]
+
+    def _are_here(self, keys: Keys, line: Line, home: str | None) -> None:
+        """Afterwards the facts that a line names are known where it uses them."""
+        reason = line.reason.reason if isinstance(line.reason, ByNegation) else line.reason
+        places: dict[str, str | None] = dict.fromkeys(facts_of(reason), home)
+        if isinstance(reason, ByInstance):
+            places = dict.fromkeys(reason.givens, home)
+        if isinstance(reason, ByInduction) and isinstance(line.claim, Always):
+            places = dict.fromkeys(reason.next, line.claim.context)
+            places |= dict.fromkeys(reason.start, home)
+        for name, place in places.items():
+            found = self.homes.get(name)
+            if found not in (*self.page.scope.chain(place),):
+                what = (
+                    f"{shown(name)} is a fact of {found}, and not known in {place or 'no context'}"
+                )
+                raise self.places.error([*keys, "by"], f"{what}; name another one")
 
     def _left(self, home: str | None) -> Iterator[Defined]:
         """The constants of a context that none of its lines uses."""
@@ -110,24 +154,38 @@ class Lines:
 
     def _chapter(self, entry: object) -> Iterator[Chapter]:
         table = self.page.table(["chapters"], entry, CHAPTER)
-        home = self._home(entry)
-        yield from self._opened_up_to(home)
-        self.page.let(["chapters", "let"], table.get("let", {}), home)
+        homes = self._homes(entry)
+        yield from self._opened_up_to(self._home(entry))
+        self.page.let(["chapters", "let"], table.get("let", {}), homes)
+        self._constants(table, homes)
         rows = self.page.table(["chapters", "rows"], table.get("rows", {}))
-        for name, row in rows.items():
-            keys = ["chapters", "rows", name]
+        for key, short, home in self.page.placed(rows, homes):
+            keys, row = ["chapters", "rows", key], rows[key]
             inner = self._home_of_line(keys, row, home)
             yield from self._opened_up_to(inner)
-            line = self._line(keys, name, row, inner, table)
-            for constant in self._defined(line):
-                yield Chapter(self.homes[constant.name], (constant,))
-            yield Chapter(inner, (line,))
+            line = self._line(keys, self.page.full(short, inner), row, inner, table)
+            self._are_here(keys, line, inner)
+            yield from self._with_constants(line, None if inner in self.page.sets else inner)
+
+    def _constants(self, chapter: Mapping[str, Any], homes: Sequence[str | None]) -> None:
+        """The constants that a chapter defines, of the page or of its sets."""
+        keys = ["chapters", "constants"]
+        entries = self.page.table(keys, chapter.get("constants", {}))
+        if entries and {*homes} & {*self.page.contexts}:
+            what = "a context has its constants below [contexts.NAME.constants]; write them there"
+            raise self.places.error(keys, what)
+        label = self.page.text(["chapters", "label"], chapter.get("label", ""), "a label")
+        for key, short, home in self.page.placed(entries, homes):
+            place = [*keys, key]
+            self.page.constants.append(self.page.constant(place, short, entries[key], home, label))
 
     def _home_of_line(self, keys: Keys, row: object, home: str | None) -> str | None:
         """The context that a line names, of which "" is none; else that of its chapter."""
         found = row.get("in", home) if isinstance(row, dict) else home
         if found in (None, ""):
             return None
+        if found == home:
+            return home
         if found not in self.page.contexts:
             raise self.places.error([*keys, "in"], self.page.no_context(found))
         return str(found)
@@ -143,6 +201,8 @@ class Lines:
             self.claims |= {given.name: given.claim for given in context.givens}
             self.homes |= {given.name: context.name for given in context.givens}
             premises = self.page.premises.get(context.name)
+            for name in premises or ():
+                self._fact(["contexts", context.name, "by"], name)
             yield Chapter(context.parent, (Opened(context, premises),))
         del self.waiting[:count]
 
@@ -167,12 +227,16 @@ class Lines:
     ) -> Line:
         table = self.page.table(keys, row if isinstance(row, dict) else {"lemma": row}, LINE)
         if "instance" in table:
-            table = {key: chapter[key] for key in ("at", "by") if key in chapter} | table
+            table = _fields(chapter, ("at", "by")) | table
+        elif not {*BRANCH, "rule", "false_at", "instance"} & {*table}:
+            table = _fields(chapter, ("using",)) | table
         kinds = [kind for kind in KINDS if kind in table]
         if len(kinds) != 1 and kinds != ["claim", "instance"]:
             what = f"it has {' and '.join(kinds)}" if kinds else "it has no claim"
             raise self.places.error(keys, f"{what}; write one of {', '.join(KINDS)}")
         (kind, *_) = kinds
+        for key in _passed_over(table):
+            raise self.places.error([*keys, key], "it changes nothing here; leave it out")
         self.page.name(keys, name)
         claim: Claim | Applies | Always
         if kind in ("applies", "always"):
@@ -184,15 +248,38 @@ class Lines:
         reason = self._reason(keys, table, claim, home)
         line = Line(name, claim, reason)
         if kind in ("lemma", "instance"):
+            self._holds(keys, table)
             self._known(line, home)
             return line
         if "verdict" in table:
             line = line._replace(reason=self._negation(keys, table["verdict"], line.reason))
-        fields = self.page.fields(keys, {**_fields(chapter, _FIELDS[:4]), **_fields(table)})
+        said = {**_fields(chapter, _FIELDS[:4]), **_fields(table)}
+        if home in self.page.sets:
+            said, home = self._said_in(home, name, said), None
+        fields = self.page.fields(keys, said)
         line = line._replace(label=fields["label"], says=fields["says"], uses=fields["uses"])
         self.page.rows[name] = Obligation(name=name, claim=claim, context=home, **fields)
         self._known(line, home)
         return line
+
+    def _said_in(self, home: str, name: str, said: Mapping[str, Any]) -> dict[str, Any]:
+        """What is said of a row of a set; how bad it is if it is false concerns the printed one."""
+        role = self.page.sets[home]
+        found = {"group": home, "role": role, **said}
+        if role == NEEDED:
+            return {k: v for k, v in found.items() if k not in ("severity", "corrected_by")}
+        needed = (s for s, other in self.page.sets.items() if other == NEEDED)
+        if "severity" in found and "corrected_by" not in found:
+            for better in needed:
+                found["corrected_by"] = name.replace(home, better, 1)
+        return found
+
+    def _holds(self, keys: Keys, table: Mapping[str, Any]) -> None:
+        """Afterwards a table says nothing that only rows may say."""
+        for key in ("false_at", "verdict", "role", "uses", "severity", "corrected_by"):
+            if key in table:
+                what = "a lemma is no row, and has to hold; write claim = ..., or leave it out"
+                raise self.places.error([*keys, key], what)
 
     def _negation(self, keys: Keys, verdict: object, reason: Reason) -> ByNegation:
         """The reason, for the negation of the claim."""
@@ -376,6 +463,25 @@ class Lines:
             known = [*self.claims, *self.homes]
             instead = nearest(name, known, "write names of what is given, or of earlier lines")
             raise self.places.error(keys, f"{shown(name)} is no fact known here; {instead}")
+
+
+def _passed_over(table: Mapping[str, Any]) -> Iterator[str]:
+    """The keys of a line that say how it follows, and of which its kind of proof has no use."""
+    rule, products = table.get("rule"), ("by", "using", "plus")
+    others: tuple[str, ...] = ()
+    if "false_at" in table:
+        others = (*products, "rule", "of", "side", "verdict")
+    elif any(kind in table for kind in ("applies", "always", "instance")):
+        others = ("using", "plus", "rule", "of", "side")
+    elif rule in ("root", "interval"):
+        others = (*products, "of", "side")
+    elif rule == "entry":
+        others = products
+    elif rule == "cases":
+        others = ("using", "plus", "side")
+    elif rule is None and not isinstance(table.get("by"), list):
+        others = ("of", "side")
+    yield from (key for key in others if key in table)
 
 
 def _joined(chapters: Iterable[Chapter]) -> Iterator[Chapter]:

@@ -22,13 +22,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from verify.language.record import TYPE_CHECKING
 from verify.language.statement import Cite
 from verify.wire.inputs import InputError
 from verify.wire.text import Page
 from verify.wire.text.page_tables import Reader
 from verify.wire.text.places import Places
-from verify.wire.text.read_lines import read_chapters
 from verify.wire.toml import TooLongError, toml_of
+
+if TYPE_CHECKING:
+    from verify.language.argument import Chapter
 
 #: What to write in place of what is no TOML: where its reader says so, and elsewhere.
 NO_TOML: Mapping[str, str] = {
@@ -57,4 +60,12 @@ def read_page(path: str, content: bytes, cited: Sequence[Cite] = ()) -> Page:
         why = " ".join(str(error).split())
         instead = next((text for part, text in NO_TOML.items() if part in why), IN_QUOTES)
         raise InputError(f"{path}: is no TOML file ({why}); {instead}") from error
-    return Reader(Places(path, text), cited).page(table, read_chapters)
+    return Reader(Places(path, text), cited).page(table, _chapters)
+
+
+def _chapters(page: Reader, value: object) -> tuple[Chapter, ...]:
+    if not value and isinstance(value, list):
+        return ()
+    from verify.wire.text.read_lines import read_chapters  # loaded only where it is used
+
+    return read_chapters(page, value)

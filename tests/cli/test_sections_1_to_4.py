@@ -1,0 +1,43 @@
+"""The command `elsewhere` as scripts see it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from verify import check
+from verify.cli import main
+from verify.paper.commands.sections_1_to_4 import decide_elsewhere
+from verify.publication import ACCUSATIONS
+
+
+def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
+    code = main(["elsewhere", *words])
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:
+    _, out, _ = run(capsys, "--verbose")
+    for row in decide_elsewhere().statement.obligations:
+        assert f"[{row.name}, " in out
+
+
+def test_the_document(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "--json")
+    found = json.loads(out)
+    assert (code, found["command"], found["verdict"]) == (0, "elsewhere", "proved")
+    claims = {claim["name"]: claim for claim in found["claims"]}
+    rows = decide_elsewhere().statement.obligations
+    assert claims.keys() == {row.name for row in rows}
+    refuted = {name for name, claim in claims.items() if claim["verdict"] == "refuted"}
+    assert refuted == {row.name for row in rows if row.severity in ACCUSATIONS}
+    assert {claims[claims[name]["corrected_by"]]["verdict"] for name in refuted} == {"proved"}
+
+
+def test_out(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    code, _, _ = run(capsys, "--out", str(tmp_path))
+    assert code == 0
+    assert check.main([str(tmp_path)]) == 0

@@ -1,0 +1,382 @@
+"""What happens in a scene, as a statement: numbers with names, and a row for each event.
+
+Each row says that a theorem about all states applies to these numbers: the flow's, to each
+collision, and what decides the scene, to the state after the last one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from itertools import chain, pairwise
+from math import lcm
+
+from verify.language.record import Record
+from verify.language.statement import NEEDED, Applies, Constant, Obligation
+from verify.language.terms import Claim, Number, Term, as_term, equal, sqrt, symbol
+from verify.spheres.flow import contexts
+from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER
+from verify.spheres.flow.contexts import (
+    COLLISION,
+    DRIFT,
+    FLOW,
+    LETTERS,
+    NAMED,
+    PARTING,
+    PASSING,
+    RECENTRE,
+    UNIT,
+)
+from verify.spheres.flow.law import (
+    Pair,
+    State,
+    collided,
+    drifted,
+    flight,
+    recentred,
+)
+from verify.spheres.flow.pairs_and_units import Unit, pairs_of, unit_of
+from verify.spheres.scene.criteria import (
+    INELASTIC,
+    MOMENTUM,
+    RECEDING,
+    SAYS,
+    comes_to_rest,
+    inelastic,
+    turning,
+    whole,
+)
+from verify.spheres.scene.scene import (
+    FIRST_FRAMES,
+    PAIRS,
+    Coordinates,
+    Frame,
+    Scene,
+    difference,
+    pair_name,
+)
+
+LABEL = "EQUATSS2.1_Loi_de_Newton_"
+#: The theorems that are cited besides the flow.
+CLASSIFICATION = "classification"
+START, LINE_START = f"{SHARPER}:start", f"{LINE}:start"
+SANDWICH_START, STAIR = f"{SANDWICH}:start", f"{SANDWICH}:stair"
+#: The name of the constant for the time of a move.
+TIME = "time"
+#: Intervals of 128 bits keep fractions with so many bits above and below the bar together.
+SHORT = 256
+r = symbol("r")
+
+
+class Numbers(Record):
+    """The numbers with which a theorem is applied, and the enclosures that follow.
+
+    ``stair`` has the points for the sandwich theorem.
+    """
+
+    values: Mapping[str, Fraction]
+    time: tuple[Fraction, Fraction]
+    angle: tuple[Fraction, Fraction]
+    stair: tuple[tuple[Fraction, Fraction], ...] = ()
+
+
+class Telling:
+    """The parameters, constants and rows so far, and the state that was reached.
+
+    ``is_short`` says that intervals of 128 bits keep the constants that follow from what is given,
+    and all on the way to them, as they are.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        self.parameters: dict[str, Term] = {"r": as_term(scene.r)}
+        self.constants: list[Constant] = []
+        self.rows: list[Obligation] = []
+        self.given = Coordinates(
+            self._coordinates("x", scene.positions), self._coordinates("v", scene.velocities)
+        )
+        self.exact = Coordinates(scene.positions, scene.velocities)
+        self.is_short = _is_short(scene)
+        self.state: State | None = None
+        self.frame: Frame = (0, 1, 2)
+        self.moves = self.collisions = 0
+        self.time = as_term(0)
+        for i, j in PAIRS:
+            says = f"at the start the particles {i} and {j} do not overlap"
+            self.row(f"start.{pair_name(i, j)}", says, 0 <= self.given.pair(i, j).g)
+
+    def _coordinates(self, letter: str, rows: tuple[tuple[Fraction, ...], ...]) -> list[list[Term]]:
+        found = []
+        for i, row in enumerate(rows):
+            names = [f"{letter}.{i}.{k}" for k, _ in enumerate(row, 1)]
+            self.parameters |= {n: as_term(x) for n, x in zip(names, row, strict=True)}
+            found.append([symbol(name) for name in names])
+        return found
+
+    # --- constants and rows ---------------------------------------------------------------------
+
+    def keep(self, name: str, term: Number) -> Term:
+        """A new constant of the present move."""
+        full = f"{name}.{self.moves}"
+        letter, tex = LETTERS.get(name, (name, name))
+        here = Constant(
+            full, f"{letter}_{self.moves}", f"{tex}_{{{self.moves}}}", "", as_term(term)
+        )
+        self.constants.append(here)
+        return symbol(full)
+
+    def known(self, name: str, value: Fraction, term: Term) -> Term:
+        """A new constant that follows from what is given.
+
+        Where the given numbers are long, its definition is its value, and a row says what it is.
+        """
+        found = self.keep(name, term if self.is_short else value)
+        if not self.is_short:
+            self.row(f"is.{found.name}", "what this number is", equal(found, term))
+        return found
+
+    def row(self, name: str, says: str, claim: Claim | Applies, *uses: str) -> None:
+        """A new row."""
+        self.rows.append(Obligation(name, "scene", LABEL, NEEDED, says, claim, uses))
+
+    def apply(
+        self, name: str, says: str, context: str, at: Mapping[str, Number], *uses: str
+    ) -> None:
+        """A new row: the theorem of a context of the flow applies to these numbers."""
+        values = {key: as_term(value) for key, value in at.items()}
+        self.row(name, says, Applies(f"{FLOW}:{context}", values), "scene", *uses)
+
+    # --- what happens ---------------------------------------------------------------------------
+
+    def begin(self, frame: Frame) -> None:
+        """The scene seen from a particle."""
+        self.frame = frame
+        values: dict[str, Fraction] = {}
+        self.exact.state(frame, lambda name, x: values.setdefault(name, x))
+        self.state = _terms(
+            self.given.state(frame, lambda name, term: self.known(name, values[name], term))
+        )
+
+    def collide(self) -> None:
+        """The pair o, c collides: the next collision."""
+        before, (o, s, c) = self._next(), self.frame
+        self.collisions += 1
+        way = flight(before, sqrt, self.keep)
+        after = collided(r, before, way, self.keep)
+        self.time = self.keep(TIME, self.time + way.y * way.T)
+        later = {f"{n}_next": getattr(after, n) for n in NAMED[COLLISION]}
+        self.apply(
+            f"collision.{self.collisions}",
+            f"collision {self.collisions}, of {pair_name(o, c)}, at the time t_{self.moves}; no "
+            "other pair meets before",
+            COLLISION,
+            {"r": r, **before._asdict(), **way._asdict(), **later},
+        )
+        self.frame, self.state = (o, c, s), _terms(after)
+
+    def recentre(self) -> None:
+        """The same moment, seen from the spectator."""
+        before, (o, s, c) = self._next(), self.frame
+        after = recentred(before, self.keep)
+        says = f"the particles {o} and {c} as they are seen from {s}"
+        self._change(RECENTRE, says, before, after, {})
+        self.frame = (s, o, c)
+
+    def drift(self, time: Fraction) -> None:
+        """Free flight for a time."""
+        before = self._next()
+        after = drifted(before, as_term(time), self.keep)
+        self.time = self.keep(TIME, self.time + as_term(time))
+        says = f"free flight until t_{self.moves}; no pair meets"
+        self._change(DRIFT, says, before, after, {"drift.t": time})
+
+    def _next(self) -> State:
+        self.moves += 1
+        if self.state is None:
+            raise ValueError("the scene has not begun")
+        return self.state
+
+    def _change(
+        self, kind: str, says: str, before: State, after: State, more: Mapping[str, Number]
+    ) -> None:
+        named = NAMED[kind]
+        at = {f"{kind}.{name}": value for name, value in before._asdict().items()}
+        at |= {f"{kind}.{name}_next": getattr(after, name) for name in named}
+        self.apply(f"{kind}.{self.moves}", says, kind, {**at, **more})
+        self.state = _terms(after)
+
+    # --- how it ends ----------------------------------------------------------------------------
+
+    def pairs(self) -> dict[str, Pair]:
+        """The three pairs at the end, by their names, each with its numbers."""
+        if self.state is None:
+            return {pair_name(i, j): self._given_pair(i, j) for i, j in PAIRS}
+        state, (o, s, c) = self._next(), self.frame
+        found = pairs_of(state, self.keep)
+        at = _of(contexts.PAIRS, state._asdict())
+        for name, pair in found.items():
+            numbers = {f"{field}_{name}": term for field, term in pair._asdict().items()}
+            at |= _of(contexts.PAIRS, numbers)
+        says = f"the pairs {pair_name(o, c)}, {pair_name(o, s)} and {pair_name(s, c)} of this state"
+        self.apply(f"pairs.{self.moves}", says, contexts.PAIRS, at)
+        names = {"c": pair_name(o, c), "s": pair_name(o, s), "outer": pair_name(s, c)}
+        return {names[name]: pair for name, pair in found.items()}
+
+    def _given_pair(self, i: int, j: int) -> Pair:
+        values, terms = self.exact.pair(i, j), self.given.pair(i, j)
+        name = pair_name(i, j)
+        found = zip(Pair._fields, values, terms, strict=True)
+        return Pair(*(self.known(f"{field}.{name}", x, term) for field, x, term in found))
+
+    def disperse(self, contexts: Mapping[str, str]) -> None:
+        """No pair collides any more, each for a reason: it parts, or it passes by."""
+        words = {PARTING: "do not approach any more", PASSING: "will miss each other"}
+        for name, pair in self.pairs().items():
+            context = contexts[name]
+            fields = ("p", "m") if context == PARTING else ("g", "p", "m")
+            at = {f"{context}.{field}": getattr(pair, field) for field in fields}
+            says = f"the particles {name[0]} and {name[1]} {words[context]}"
+            self.apply(f"end.{name}", says, context, at, "scene-disperses")
+
+    def limit(self, criterion: str) -> None:
+        """Only finitely many collisions are possible, from this state on."""
+        self.row("range.low", "the coefficient of restitution is positive", 0 < r)
+        self.row("range.high", "and below 1: no collision adds energy", r < 1)
+        if criterion == INELASTIC:
+            self._finite("restitution", criterion, inelastic(r) < 0)
+            return
+        if self.state is None:
+            self.begin(FIRST_FRAMES[0])
+        now = whole(self._next())
+        if criterion == MOMENTUM:
+            for name, claim in (("rest", comes_to_rest(r) < 0), ("momentum", 0 < now.L2)):
+                self._finite(name, criterion, claim, "scene-momentum")
+            return
+        self._finite("far", criterion, 2 <= now.R2)
+        claim = 0 <= now.A if criterion == RECEDING else 0 < turning(now)
+        self._finite(criterion, criterion, claim)
+
+    def _finite(self, name: str, criterion: str, claim: Claim, glue: str = "scene-finite") -> None:
+        self.row(f"finite.{name}", SAYS[criterion], claim, "scene", glue)
+
+    def collapse(self, found: Numbers) -> None:
+        """A theorem applies; when, and at which angle, the particles collapse."""
+        state, value = self._next(), found.values
+        unit = unit_of(state, sqrt, self.keep)
+        at = _of(UNIT, {**state._asdict(), **unit._asdict()})
+        self.apply(f"unit.{self.moves}", "this state with unit vectors", UNIT, at)
+        is_on_a_line = "E" in value
+        if is_on_a_line:
+            later = self._collapse_on_a_line(unit, value)
+        else:
+            later = self._collapse_in_space(state, unit, found)
+        low, high = found.time
+        self.row("time-from", "the collapse is not before", as_term(low) <= self.time)
+        self.row("time-to", "nor after", self.time + later <= as_term(high))
+        if not is_on_a_line:
+            (least, most), (C_0, theta) = found.angle, (value["C_0"], value["Theta"])
+            says = "the final -cos θ is at least"
+            self.row("angle-from", says, as_term(least) <= as_term(C_0 - theta))
+            highest = as_term(min(C_0 + theta, Fraction(1)))
+            self.row("angle-to", "and at most", highest <= as_term(most))
+
+    def _applies(self, start: str, values: Mapping[str, Number], *uses: str) -> None:
+        o, s, c = self.frame
+        says = (
+            f"from here on {pair_name(o, c)} and {pair_name(o, s)} collide in turn for ever, in "
+            "finite time"
+        )
+        at = {name: as_term(value) for name, value in values.items()}
+        self.row("collapse", says, Applies(start, at), "scene", *uses)
+
+    def _collapse_in_space(self, state: State, unit: Unit, found: Numbers) -> Term:
+        """The sharper theorem or the sandwich applies; a bound of the time that is left."""
+        value = found.values
+        start = {
+            "y": unit.closing,
+            "eta_s": unit.parting,
+            "C": unit.cosine,
+            "a": state.a,
+            "b": unit.turning,
+            "A": state.A,
+            "B": state.B,
+            "w": state.w,
+            "d": unit.distance,
+        }
+        at = {**value, **{f"{name}_start": term for name, term in start.items()}}
+        if found.stair:
+            return self._stair(at, found.stair, value) * as_term(unit.closing)
+        self._applies(START, at, "scene-collapses")
+        return as_term(value["T"] * value["eta_0"] / (1 - value["p"] - value["Y"]))
+
+    def _stair(
+        self,
+        at: Mapping[str, Number],
+        points: tuple[tuple[Fraction, Fraction], ...],
+        value: Mapping[str, Fraction],
+    ) -> Term:
+        """The sandwich theorem applies; a bound of the time that is left, per closing speed."""
+        self._applies(SANDWICH_START, at, "scene-stair")
+        w, half, G = (as_term(value["w_0"]), as_term(value["w_1"])), (1 + r) / 2, value["G"]
+        U_b = as_term(value["U_b"])
+        for n, ((Q, U), (Q_next, U_next)) in enumerate(pairwise(points)):
+            numbers = {
+                "alpha": half * as_term(value["C_0"] - value["Theta"]),
+                "rho": as_term(G) * (w[(n + 1) % 2] / w[n % 2]) ** 2,
+                "R": r * as_term(G),
+                "U_b": U_b,
+            }
+            step = {"Q": Q, "U": U, "Q_next": Q_next, "U_next": U_next}
+            here = {key: as_term(x) for key, x in _of("stair", {**numbers, **step}).items()}
+            says = f"the numbers Q_{n + 1}, U_{n + 1} are above where the map leads from the last"
+            self.row(f"stair.{n}", says, Applies(STAIR, here), "scene", "scene-stair")
+        for name, first, last in zip("qu", points[-3], points[-1], strict=True):
+            says = "two steps later the stair is not above this one"
+            self.row(
+                f"period.{name}", says, as_term(last) <= as_term(first), "scene", "scene-stair"
+            )
+        return as_term(G) * U_b / as_term(value["w_b"] ** 2) / (1 - half * as_term(G))
+
+    def _collapse_on_a_line(self, unit: Unit, value: Mapping[str, Fraction]) -> Term:
+        """The theorem on a line applies; a bound of the time that is left."""
+        for number, claim in enumerate(self._parallel(), 1):
+            self.row(f"line.{number}", "the relative positions and velocities are on a line", claim)
+        says = f"particle {self.frame[0]} is between the two others"
+        self.row("between", says, 0 < as_term(unit.cosine))
+        first = self.keep("first", as_term(unit.distance) / as_term(unit.closing))
+        numbers = {"r": r, **value, "y": unit.closing, "eta": unit.parting, "T": first}
+        numbers |= dict.fromkeys(("b", "b_s"), (1 + r) / 2)
+        self._applies(LINE_START, _of("start", numbers), "scene-on-a-line")
+        return as_term(value["E"]) * first
+
+    def _parallel(self) -> Iterator[Claim]:
+        """That all relative positions and velocities are multiples of one of them."""
+        first, exact = (difference(rows.x, 0, 1) for rows in (self.given, self.exact))
+        place = next(i for i, value in enumerate(exact) if value)
+        others = [difference(self.given.x, 0, 2)]
+        others += [difference(self.given.v, 0, i) for i in (1, 2)]
+        for other in others:
+            for i, value in enumerate(other):
+                if i != place:
+                    yield equal(value * first[place], other[place] * first[i])
+
+
+def _of(context: str, values: Mapping[str, Number]) -> dict[str, Number]:
+    """Values for the variables of a context, whose names begin with its name."""
+    return {f"{context}.{name}": value for name, value in values.items()}
+
+
+def _terms(state: State) -> State:
+    return State(*map(as_term, state))
+
+
+def _is_short(scene: Scene) -> bool:
+    """Whether differences and inner products of given vectors are no longer than `SHORT`.
+
+    Over the square of a common denominator these are integers, and at most ``most``: sums of
+    products of two differences, one for each axis, less 1.
+    """
+    given = [scene.r, *(x for rows in (scene.positions, scene.velocities) for x in chain(*rows))]
+    divisor = lcm(*(number.denominator for number in given))
+    top = int(max(map(abs, given)) * divisor)
+    most = 4 * scene.dimension * top**2 + divisor**2
+    return most.bit_length() + (divisor**2).bit_length() <= SHORT

@@ -257,6 +257,20 @@ said(
 said(P, "as printed, π/2 < θ₀ ≤ π", by=coded("π/2<θ₀≤π", V, "PI / 2 < theta_0 <= PI"))
 said(P, "each d ≥ 2 there is a set", by=coded("d≥2", V, "(2 <= d)%nat"))
 said(P, "θ₀ = 2π/3,", by=coded("θ₀=2π/3,", "verify/coq/PrintedSignProof.v", "(2 * (PI / 3))"))
+said(P, "δ_θ = 1/10);", by=coded("δ_θ=1/10)", "verify/coq/PrintedSignProof.v", "(1 / 10)"))
+V = "verify/coq/PinnedLine.v"
+said(
+    P,
+    "r ≤ bb'Q(1 - Q) and 2Q < 1",
+    by=coded("r≤bb'Q(1-Q),2Q<1", V, "r <= b * b' * Q * (1 - Q) /\\ 2 * Q < 1"),
+)
+said(
+    P,
+    "within (1 - Q)/(1 - 2Q) times",
+    by=coded("(1-Q)/(1-2Q)", V, "T <= (1 - Q) / (1 - 2 * Q) * (gap / closing)"),
+)
+said(P, "and if r < 1, the places", by=coded("r<1", V, "(r < 1 -> exists at_T, settles"))
+said(P, "equal balls with r < 1 this", by=coded("r<1", V, "e parting gap closing Q, 0 < r < 1 ->"))
 V = "verify/coq/PinnedSpectrum.v"
 said(
     P, "of geometric multiplicity 1;", by=coded("1", V, "exists a b, u' = combination a u (- b) v")

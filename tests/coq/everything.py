@@ -243,7 +243,9 @@ def everything(folders: list[Path]) -> str:
         "  := SeparatrixProof.separatrix.",
     ]
     theorems = discharging()
-    files = dict.fromkeys(["Sentences", *(name.split(".")[0] for name in theorems)])
+    files = dict.fromkeys(
+        ["Sentences", "BeyondSentences", *(name.split(".")[0] for name in theorems)]
+    )
     lines.append(f"From Verify Require {' '.join(files)}.")
     lines.append(f"Definition discharged := ({', '.join(theorems)}).")
     for name, folder in own.items():

@@ -20,7 +20,7 @@ from verify.paper.in_coq import IN_COQ
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 PINNED = HERE / "sentences.txt"
-SOURCES = ("Sentences", "SeparatrixProof", "PinnedSeparatrix", "Separatrix")
+SOURCES = ("Sentences", "BeyondSentences", "SeparatrixProof", "PinnedSeparatrix", "Separatrix")
 _COMMAND = re.compile(r"^(?:Check|Theorem|Definition|Record) .*?\.$", re.MULTILINE | re.DOTALL)
 
 

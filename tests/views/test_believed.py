@@ -37,7 +37,10 @@ def test_what_coq_has_not_proved_is_believed(capsys: pytest.CaptureFixture[str])
     found = line(capsys, "classification")
     assert found.startswith("Rests on 14 sentences. Believed: ")
     believed, _, proved = found.partition(" Proved in Coq: ")
-    assert proved == "cauchy-schwarz, finite-length, glue-classification."
+    assert proved == (
+        "cauchy-schwarz, bounded-monotone, finite-length, glue-lemma, glue-classification, "
+        "glue-scenes."
+    )
     assert believed.endswith("glue-second.")
     assert "glue-impulse" in believed
 

@@ -1,10 +1,10 @@
 """Which of the sentences that statements take on trust Coq proves, and by which theorems.
 
-Those theorems are pinned in `verify/coq/Sentences.v`, the ones about the separatrix in
-`verify/coq/PinnedSeparatrix.v`; `.ci/coq` asks for all of them. A sentence that is a definition is
-defined in Coq by what stands here. Coq may also prove what a statement uses of another one that it
-cites: then it rests on none of the sentences that the other one takes on trust, but on its
-definitions.
+Those theorems are pinned in `verify/coq/Sentences.v` and `BeyondSentences.v`, the ones about the
+separatrix in `verify/coq/PinnedSeparatrix.v`; `.ci/coq` asks for all of them. A sentence that is a
+definition is defined in Coq by what stands here. Coq may also prove what a statement uses of
+another one that it cites: then it rests on none of the sentences that the other one takes on trust,
+but on its definitions.
 """
 
 from __future__ import annotations

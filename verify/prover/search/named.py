@@ -20,6 +20,7 @@ from verify.prover.clearing import ATOMS, Clearing, expanded
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Value, product_of
 from verify.prover.rules import Sum
+from verify.prover.search.eliminated import Elimination, Fact
 from verify.prover.search.simplex import solution
 
 #: Products of so many facts, the negated claim included.
@@ -105,6 +106,9 @@ class _Attempt:
         if self.claim.relation == "=":
             (goal,) = self.clearing.reduced([self.goal])
             return Sum((), self.using) if goal.is_zero() else self._identity()
+        found = self._eliminated()
+        if found is not None:
+            return found
         for degree in range(MAX_DEGREE + 1):
             products = [*self._products(degree)]
             if len(products) > MAX_COLUMNS:
@@ -113,6 +117,15 @@ class _Attempt:
             if found is not None:
                 return found
         return None
+
+    def _eliminated(self) -> Sum | None:
+        """A sum that bounds one variable after the other, and ends with a polynomial on a box."""
+        facts = [Fact(f.factors[0], f.polynomial, f.strict) for f in self.facts]
+        found = Elimination(self.clearing, facts, self.budget).shown(-self.goal)
+        if found is None or not (found.strict or self.claim.relation == "<="):
+            return None
+        goal = product_of(found.times, "goal")
+        return Sum((goal,) if found.value is None else (goal, found.value), self.using)
 
     def _products(self, degree: int) -> Iterator[Product]:
         """Products of at most so many facts, with the negated claim at most twice."""

@@ -15,7 +15,7 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from verify.language.record import Record
 from verify.prover.budget import WorkBudget
-from verify.prover.clearing import ROOTS, Clearing, coefficients, index_of
+from verify.prover.clearing import ROOTS, Clearing, coefficients, index_of, variables_in
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Value, power_of, product_of, sum_of
 
@@ -67,7 +67,7 @@ class Elimination:
 
     def _bounds(self, fact: Fact) -> bool:
         """Whether a fact bounds one variable by a number; then it is remembered."""
-        indices = _variables(fact.polynomial)
+        indices = variables_in(fact.polynomial)
         if len(indices) != 1 or fact.polynomial.total_degree() != 1:
             return False
         (index,) = indices
@@ -104,9 +104,7 @@ class Elimination:
         found = found or self._by_root(reduced) or self._by_facts(reduced)
         return found and found._replace(times=product_of(*times, found.times))
 
-    def _reduced(
-        self, polynomial: fmpq_mpoly
-    ) -> tuple[fmpq_mpoly | None, tuple[Value, ...]]:
+    def _reduced(self, polynomial: fmpq_mpoly) -> tuple[fmpq_mpoly | None, tuple[Value, ...]]:
         """The polynomial without squares of roots, and the denominators that it was multiplied by."""
         times: list[Value] = []
         for index, atom in reversed([*enumerate(self.clearing.atoms)]):
@@ -130,7 +128,7 @@ class Elimination:
 
     def _on_box(self, polynomial: fmpq_mpoly) -> Shown | None:
         """Coefficients that are >= 0, of products of distances from bounds."""
-        indices = _variables(polynomial)
+        indices = variables_in(polynomial)
         if any(i not in self.lower and i not in self.upper for i in indices):
             return None
         boxed = [i for i in indices if i in self.lower and i in self.upper]
@@ -175,9 +173,7 @@ class Elimination:
 
     def _value(self, parts: dict[tuple[int, ...], fmpq], count: int) -> Shown:
         """A sum of products of bounds, with the common factors in front."""
-        bounds = [
-            table.get(i) for table in (self.lower, self.upper) for i in range(count)
-        ]
+        bounds = [table.get(i) for table in (self.lower, self.upper) for i in range(count)]
         common = tuple(map(min, zip(*parts, strict=True))) or (0,) * (2 * count)
         addends, strict = [], False
         for monomial, number in parts.items():
@@ -204,25 +200,34 @@ class Elimination:
         positive, strict = number > 0, True
         times: list[Value] = []
         values: list[Value] = [str(fraction_of(abs(number)))]
-        for factor, exponent in factors:
-            found = self.shown(factor)
-            if found is None:
-                found = self.shown(-factor)
-                positive = positive is (found is None or exponent % 2 == 0)
+        by_size = sorted(factors, key=lambda pair: (pair[1] % 2, len(pair[0])))
+        for place, (factor, power) in enumerate(by_size, 1):
+            exponent = int(power)
+            found, turned = self._signed(factor, either=place < len(factors), positive=positive)
             if found is None and exponent % 2 == 0:
-                value: Value = ("square", self.clearing.term(factor ** (int(exponent) // 2)))
+                value: Value = ("square", self.clearing.term(factor ** (exponent // 2)))
                 values, strict = [*values, value], False
-            elif found is None or found.value is None:
+                continue
+            if found is None or found.value is None:
                 return None
-            else:
-                times += [found.times] * int(exponent)
-                values.append(power_of(found.value, int(exponent)))
-                strict = strict and found.strict
+            positive = positive is not (turned and exponent % 2 == 1)
+            times += [found.times] * exponent
+            values.append(power_of(found.value, exponent))
+            strict = strict and found.strict
         return Shown(product_of(*times), product_of(*values), strict) if positive else None
 
+    def _signed(
+        self, factor: fmpq_mpoly, *, either: bool, positive: bool
+    ) -> tuple[Shown | None, bool]:
+        """A factor or its opposite, and which; the last one has the sign that is wanted."""
+        found = self.shown(factor) if either or positive else None
+        if found is not None:
+            return found, False
+        return (self.shown(-factor), True) if either or not positive else (None, False)
+
     def _by_root(self, polynomial: fmpq_mpoly) -> Shown | None:
-        """a - b*root is positive if its product with a + b*root is."""
-        for index in _variables(polynomial):
+        """The difference a - b*root is positive if its product with a + b*root is."""
+        for index in variables_in(polynomial):
             atom = self.clearing.atoms[index]
             if atom.op not in ROOTS or index_of(atom) != 2 or index not in self.lower:
                 continue
@@ -238,7 +243,7 @@ class Elimination:
 
     def _by_facts(self, polynomial: fmpq_mpoly) -> Shown | None:
         """A fact that is linear in a variable replaces it by its bound."""
-        present = {*_variables(polynomial)}
+        present = {*variables_in(polynomial)}
         for fact, index in self.choices:
             if index in present:
                 found = self._by_fact(polynomial, fact, index)
@@ -250,7 +255,7 @@ class Elimination:
         """Facts with variables that they may replace: those first that no numbers bound."""
         for fact in facts:
             degrees = fact.polynomial.degrees()
-            linear = [i for i in _variables(fact.polynomial) if int(degrees[i]) == 1]
+            linear = [i for i in variables_in(fact.polynomial) if int(degrees[i]) == 1]
             free = [i for i in linear if i not in self.lower or i not in self.upper]
             sizes = {i: len(coefficients(fact.polynomial, i)[1]) for i in free or linear}
             yield from ((fact, i) for i in sorted(sizes, key=lambda i: sizes[i]))
@@ -280,9 +285,7 @@ class Elimination:
                 return found._replace(times=product_of(*[scale] * degree, found.times))
         return None
 
-    def _both(
-        self, fact: Fact, quotient: fmpq_mpoly, left: fmpq_mpoly
-    ) -> Shown | None:
+    def _both(self, fact: Fact, quotient: fmpq_mpoly, left: fmpq_mpoly) -> Shown | None:
         first = self.shown(quotient)
         if first is None:
             return None
@@ -297,11 +300,6 @@ class Elimination:
         strict = (fact.strict and first.strict) or second.strict
         value = sum_of(*addends) if addends else None
         return Shown(product_of(first.times, second.times), value, strict)
-
-
-def _variables(polynomial: fmpq_mpoly) -> list[int]:
-    """The variables that occur in a polynomial."""
-    return [i for i, degree in enumerate(polynomial.degrees()) if int(degree) > 0]
 
 
 def _number(polynomial: fmpq_mpoly) -> fmpq:

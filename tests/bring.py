@@ -16,8 +16,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from verify.paper.commands import index
-from verify.paper.commands.pages import content as content_of
-from verify.paper.commands.pages import decide
+from verify.paper.commands.pages import decide, whole
 from verify.paper.commands.places import places
 from verify.wire.packaged import AS_PRINTED, PACKAGED, PACKAGED_FILES, PAGES
 from verify.wire.write import write
@@ -40,7 +39,7 @@ def files() -> Iterator[tuple[Path, bytes]]:
         here = ROOT / "certificates" / name
         if here.exists() and any(made[f] != (here / f).read_bytes() for f in PACKAGED_FILES[name]):
             raise SystemExit(f"verify/paper/{page}.toml has changed: run `verify certify` first")
-        code = code.replace(old, sha256(content_of(page)).hexdigest())
+        code = code.replace(old, sha256(whole(page)).hexdigest())
     yield DIGESTS, code.encode()
     yield Path(index.INDEX), index.text(places()).encode()
 

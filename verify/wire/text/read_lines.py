@@ -77,7 +77,7 @@ class Lines:
         self.homes: dict[str, str | None] = {}
         self.waiting = list(page.contexts.values())
         self.conditions = {g.name: (g.claim, c.name) for c in self.waiting for g in c.givens}
-        self.facts: tuple[str, ...] = ()  # what each line of a chapter may use
+        self.facts: tuple[str, ...] = ()  # what each line from here on may use
         self.undefined: dict[str, tuple[str | None, Term]] = {}
         self.defined: dict[str, Term] = {}
         for context in self.waiting:
@@ -116,7 +116,7 @@ class Lines:
         home = self._home(entry)
         yield from self._opened_up_to(home)
         self.page.let(["chapters", "let"], table.get("let", {}), home)
-        self.facts = self._names(["chapters", "facts"], table.get("facts", ""))
+        self.facts += self._names(["chapters", "facts"], table.get("facts", ""))
         rows = self.page.table(["chapters", "rows"], table.get("rows", {}))
         for name, row in rows.items():
             keys = ["chapters", "rows", name]
@@ -469,11 +469,11 @@ class Lines:
         return ByNames((*dict.fromkeys((*addends, *self._facts_in(home))),))
 
     def _may_use(self, claim: Claim, home: str | None) -> bool:
-        """Whether a line that names nothing may use what its chapter names."""
+        """Whether a line that names nothing may use facts that a chapter names."""
         return bool(self._facts_in(home)) and any(names_of(claim.lhs, claim.rhs))
 
     def _facts_in(self, home: str | None) -> list[str]:
-        """What each line of the chapter may use, as far as it is known in a context."""
+        """What each line may use beside what it names, as far as it is known in a context."""
         around = {*self.page.scope.chain(home)}
         return [name for name in self.facts if self.homes.get(name) in around]
 

@@ -17,8 +17,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from verify.paper.commands import index
-from verify.paper.commands.pages import content as content_of
-from verify.paper.commands.pages import decide
+from verify.paper.commands.pages import decide, whole
 from verify.paper.commands.places import places
 from verify.paper.parameters import AS_PRINTED
 from verify.paper.theorem1 import COMPILED, PAGE, as_read
@@ -43,7 +42,7 @@ def files() -> Iterator[tuple[Path, bytes]]:
         here = ROOT / "certificates" / name
         if here.exists() and any(made[f] != (here / f).read_bytes() for f in PACKAGED_FILES[name]):
             raise SystemExit(f"verify/paper/{page}.toml has changed: run `verify certify` first")
-        code = code.replace(old, sha256(content_of(page)).hexdigest())
+        code = code.replace(old, sha256(whole(page)).hexdigest())
     yield Path(DIGESTS), code.encode()
     page_of_theorem = Path(PAGE).read_bytes()
     yield Path(COMPILED), compiled(as_read(page_of_theorem), page_of_theorem).encode()

@@ -75,7 +75,7 @@ class ByEntry(Record):
 class ByLeast(Record):
     """What is below each entry is below the minimum on the right; so for a maximum on the left."""
 
-    branches: tuple[BySum, ...]
+    branches: tuple[BySum | ByNames, ...]
     equation: str | None = None
     side: str = "rhs"
 

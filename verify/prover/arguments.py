@@ -22,7 +22,8 @@ from verify.language.terms import Claim, Term, names_of
 from verify.prover import rules
 from verify.prover.budget import WorkBudget
 from verify.prover.outcome import Decision, Enclosure, Outcome
-from verify.prover.proof import LemmaStep, ObligationStep, Premise, Proof
+from verify.prover.proof import LemmaStep, ObligationStep, Premise, Proof, every
+from verify.prover.relations import negation
 from verify.prover.session import ZERO, Session
 
 TYPE_CHECKING = False
@@ -167,29 +168,50 @@ class Writing:
         if isinstance(line.reason, argument.ToBeFound):
             self.missing[line.name] = NO_FACTS
             return None
-        if not isinstance(line.reason, argument.ByNames):
+        if not _names_only(line.reason):
             return proof_of(line.reason, self.number_bits)
-        found = self._at_hand(line) or self.found(line, context)
+        at_hand = self.at_hand.get(line.name)
+        found = at_hand if _fits(at_hand, line.reason) else None
+        if found is None and isinstance(line.claim, Claim):
+            found = self.searched(line.claim, line.reason, context)
         if found is None:
             self.missing[line.name] = NO_SUM
         return found
 
-    def _at_hand(self, line: Line) -> Proof | None:
-        """The sum that is at hand for a line, if it uses the facts that the line names."""
-        found = self.at_hand.get(line.name)
-        if not isinstance(found, rules.Sum):
-            return None
-        reason = argument.BySum(found.addends, found.using, found.equations)
-        return found if {*facts_of(reason)} <= {*facts_of(line.reason)} else None
+    def searched(self, claim: Claim, reason: Reason, context: str | None) -> Proof | None:
+        """The proof that a reason describes, with the sums that it leaves to be found."""
+        match reason:
+            case argument.ByNames():
+                return self.found(claim, reason, context)
+            case argument.ByNegation():
+                false = negation(claim)
+                return None if false is None else self.searched(false, reason.reason, context)
+            case argument.ByLeast():
+                claims = self._for_entries(claim, reason)
+                pairs = zip(claims, reason.branches, strict=True)
+                branches = every(self.searched(c, branch, context) for c, branch in pairs)
+                return branches and rules.Least(reason.side, branches, reason.equation)
+        return proof_of(reason)
 
-    def found(self, line: Line, context: str | None) -> Proof | None:
-        """A sum of products of the facts that a line names, if one is found."""
+    def _for_entries(self, claim: Claim, reason: argument.ByLeast) -> list[Claim]:
+        """The claim with each entry of its minimum or maximum in place of that."""
+        left = reason.side == "lhs"
+        extremum = claim.lhs if left else claim.rhs
+        if reason.equation is not None:
+            extremum = self.session.claims[reason.equation].rhs
+        return [
+            Claim(claim.relation, entry if left else claim.lhs, claim.rhs if left else entry)
+            for entry in extremum.children
+        ]
+
+    def found(
+        self, claim: Claim, reason: argument.ByNames, context: str | None
+    ) -> rules.Sum | None:
+        """A sum of products of the facts that are named, if one is found."""
         from verify.prover.search.named import Named, by_names  # flint is loaded only here
 
-        if not isinstance(line.claim, Claim) or not isinstance(line.reason, argument.ByNames):
-            return None
-        claims = {name: self.session.claims[name] for name in facts_of(line.reason)}
-        squares = tuple(fact for fact in line.reason.facts if not isinstance(fact, str))
+        claims = {name: self.session.claims[name] for name in facts_of(reason)}
+        squares = tuple(fact for fact in reason.facts if not isinstance(fact, str))
 
         def is_negative(term: Term) -> bool:
             above, below = Claim("<", ZERO, term), Claim("<", ZERO, -term)
@@ -198,7 +220,7 @@ class Writing:
 
         self.budget.refill()
         try:
-            return by_names(line.claim, Named(claims, squares, is_negative), self.budget)
+            return by_names(claim, Named(claims, squares, is_negative), self.budget)
         except ArithmeticError:  # the work is spent, or terms are too long
             return None
 
@@ -217,6 +239,33 @@ class Writing:
     def premise(self, claim: Claim) -> Premise:
         """Why a given holds at a point: equations identically, between rational numbers."""
         return rules.Sum() if claim.relation == "=" else rules.Interval(self.point_bits)
+
+
+def _names_only(reason: Reason) -> bool:
+    """Whether a sum of a reason is to be found from names."""
+    match reason:
+        case argument.ByNegation():
+            return _names_only(reason.reason)
+        case argument.ByLeast():
+            return any(map(_names_only, reason.branches))
+    return isinstance(reason, argument.ByNames)
+
+
+def _fits(proof: Proof | None, reason: Reason) -> bool:
+    """Whether a proof at hand is of the kind of a reason, and uses the facts that it names."""
+    match reason, proof:
+        case argument.ByNegation(), _:
+            return _fits(proof, reason.reason)
+        case argument.ByLeast(), rules.Least():
+            same = (reason.side, reason.equation) == (proof.side, proof.equation)
+            same = same and len(reason.branches) == len(proof.branches)
+            return same and all(map(_fits, proof.branches, reason.branches))
+        case argument.ByNames(), rules.Sum():
+            used = argument.BySum(proof.addends, proof.using, proof.equations)
+            return {*facts_of(used)} <= {*facts_of(reason)}
+        case argument.BySum(), rules.Sum():
+            return proof == proof_of(reason)
+    return False
 
 
 def _is_ground(line: Line) -> bool:

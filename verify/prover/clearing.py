@@ -273,6 +273,11 @@ class Clearing(Quotients):
         return expanded(polynomial, self.atoms)
 
 
+def variables_in(polynomial: Polynomial) -> list[int]:
+    """The variables that occur in a polynomial, by their places."""
+    return [index for index, degree in enumerate(polynomial.degrees()) if int(degree) > 0]
+
+
 def coefficients(polynomial: Polynomial, index: int) -> dict[int, Polynomial]:
     """The coefficient of each power of one variable, by the powers that occur, in order."""
     parts: dict[int, dict[tuple[int, ...], fmpq]] = {}

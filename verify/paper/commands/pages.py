@@ -7,6 +7,7 @@ was made, its files are taken; after any change to the text the page is read.
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Mapping
 from contextlib import suppress
 from functools import cache
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
 
 #: The folder of the pages, and how their files end.
 FOLDER, END = os.path.dirname(os.path.dirname(__file__)), ".toml"
+#: The same, in messages.
+ROOM = "verify/paper"
 
 
 def names() -> list[str]:
@@ -38,7 +41,33 @@ def names() -> list[str]:
 
 def content(name: str) -> bytes:
     """The text of the page of this name."""
-    with open(os.path.join(FOLDER, name + END), "rb") as file:
+    return _file(name + END)
+
+
+def included(name: str) -> dict[str, bytes]:
+    """The files that a page includes, with those that they include, by their paths."""
+    found: dict[str, bytes] = {}
+
+    def follow(text: bytes, folder: str) -> None:
+        for written in re.findall(rb"^include = (.+)$", text, re.MULTILINE):
+            for inner in re.findall(rb'"([^"]+)"', written):
+                path = os.path.normpath(os.path.join(folder, inner.decode()))
+                if path not in found:
+                    found[path] = _file(path)
+                    follow(found[path], os.path.dirname(path))
+
+    follow(content(name), "")
+    return found
+
+
+def whole(name: str) -> bytes:
+    """The text of a page, and of all that it includes."""
+    return b"".join((content(name), *included(name).values()))
+
+
+def _file(path: str) -> bytes:
+    """A file below the folder of the pages."""
+    with open(os.path.join(FOLDER, path), "rb") as file:
         return file.read()
 
 
@@ -47,7 +76,8 @@ def page(name: str) -> Page:
     """The page of this name, read now."""
     from verify.wire.text.read_page import read_page  # loaded only where it is used
 
-    return read_page(f"verify/paper/{name}{END}", content(name), cited_by(name))
+    path = f"{ROOM}/{name}{END}"
+    return read_page(path, content(name), cited_by(name), lambda p: _file(p.removeprefix(ROOM)[1:]))
 
 
 def cited_by(name: str) -> tuple[Cite, ...]:
@@ -109,7 +139,7 @@ def statement(name: str) -> Statement:
     Raises:
         OwnError: if the files that came with the program were changed.
     """
-    known = became(name, content(name))
+    known = became(name, whole(name))
     if known is None:
         return page(name).statement
     found, _ = packaged_files(known)
@@ -125,7 +155,7 @@ def accepted(name: str, *, anew: bool = True) -> Outcome:
     Raises:
         OwnError: if the files that came with the program were changed, or the checker refuses them.
     """
-    known = became(name, content(name))
+    known = became(name, whole(name))
     return decide(name) if known is None else packaged(known, anew=anew)
 
 
@@ -136,7 +166,7 @@ def cite(name: str) -> Cite:
     Raises:
         OwnError: if the files that came with the program were changed.
     """
-    known = became(name, content(name))
+    known = became(name, whole(name))
     if known is not None:
         found, certificate = packaged_files(known)
         return cite_of(found, certificate, packaged_statements(cited_digests(found)))

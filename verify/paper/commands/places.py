@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from functools import cache
 
 from verify.language.argument import Line
-from verify.paper.commands.pages import content, names, page
+from verify.paper.commands.pages import content, included, names, page
 from verify.paper.commands.place import Place
 from verify.wire.text.places import keys_of
 
@@ -31,17 +31,22 @@ def places() -> tuple[Place, ...]:
 
 def _on_page(name: str) -> list[Place]:
     """The places of a page in the order of its lines."""
-    statement, lines = page(name).statement, _lines(content(name).decode())
-    path = f"verify/paper/{name}.toml"
+    statement = page(name).statement
+    texts = {f"{name}.toml": content(name), **included(name)}
+    lines = {path: _lines(text.decode()) for path, text in texts.items()}
     rows = {row.name: (row.label, row.says) for row in statement.obligations}
 
     def place(name: str, label: str, says: str, *written: tuple[str, ...]) -> Place:
-        return Place(
-            name, label, says, path, next(lines[keys] for keys in written if keys in lines)
-        )
+        path, keys = next((p, keys) for p in lines for keys in written if keys in lines[p])
+        return Place(name, label, says, f"verify/paper/{path}", lines[path][keys])
 
     found = [
-        place(item.name, *rows.get(item.name, ("", "")), *_keys("rows", item.name))
+        place(
+            item.name,
+            *rows.get(item.name, ("", "")),
+            *_keys("rows", item.name),
+            ("chapters", "rows", item.name.rpartition("-")[0]),
+        )
         for chapter in page(name).chapters
         for item in chapter.items
         if isinstance(item, Line)
@@ -58,7 +63,7 @@ def _on_page(name: str) -> list[Place]:
             short = constant.name.removeprefix(f"{context.name}.")
             keys = ((*here, "constants", key) for key in (constant.name, short, f".{short}"))
             found.append(place(constant.name, *said, *keys))
-    return sorted(found, key=lambda place: place.line)
+    return sorted(found, key=lambda place: (place.path, place.line))
 
 
 def _keys(table: str, name: str) -> Iterator[tuple[str, ...]]:

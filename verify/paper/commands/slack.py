@@ -12,7 +12,7 @@ from collections.abc import Collection, Iterable, Iterator
 from fractions import Fraction
 
 from verify import check
-from verify.language.argument import ByNames, BySum, Line
+from verify.language.argument import ByNames, BySum
 from verify.language.record import Record
 from verify.language.statement import Obligation
 from verify.language.terms import Claim, Term, as_term, names_of, substitute
@@ -103,7 +103,7 @@ def _fresh(work: Writing, bound: Bound) -> Proof | None:
         return None
     old = BySum(bound.proof.addends, bound.proof.using, bound.proof.equations)
     facts = dict.fromkeys((*facts_of(old), *SIGNS, *_entries(work, bound.stronger)))
-    return work.found(Line(bound.row.name, bound.stronger, ByNames((*facts,))), CONTEXT)
+    return work.found(bound.stronger, ByNames((*facts,)), CONTEXT)
 
 
 def _entries(work: Writing, claim: Claim) -> Iterator[str]:

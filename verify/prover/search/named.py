@@ -16,10 +16,11 @@ from flint import fmpq, fmpq_mpoly
 from verify.language.record import Record
 from verify.language.terms import Claim, Term
 from verify.prover.budget import WorkBudget
-from verify.prover.clearing import ATOMS, Clearing, expanded
+from verify.prover.clearing import ATOMS, Clearing, expanded, inner_first, variables_in
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Value, product_of
 from verify.prover.rules import Sum
+from verify.prover.search.eliminated import Elimination, Fact
 from verify.prover.search.simplex import solution
 
 #: Products of so many facts, the negated claim included.
@@ -61,13 +62,40 @@ def by_names(claim: Claim, known: Named, budget: WorkBudget) -> Sum | None:
         SpentError: when the work is spent.
         TooLongError: if the terms are too long to be expanded.
     """
-    equations = [name for name, c in known.claims.items() if c.relation == "="]
-    atomic = [name for name in equations if known.claims[name].lhs.op in ATOMS]
-    for using in dict.fromkeys((tuple(atomic), ())):
+    for using in dict.fromkeys((_replacing(claim, known), ())):
         found = _Attempt(claim, known, using, budget).found()
         if found is not None:
             return found
     return None
+
+
+def _replacing(claim: Claim, known: Named) -> tuple[str, ...]:
+    """Equations that replace their left sides, which are atoms that there are, and in no circle."""
+    atomic = {
+        name: c for name, c in known.claims.items() if c.relation == "=" and c.lhs.op in ATOMS
+    }
+    replaced: dict[Term, Term] = {}
+    kept: dict[Term, str] = {}
+    for name, c in atomic.items():
+        if c.lhs not in replaced and c.lhs not in _parts_of((c.rhs,), replaced):
+            replaced[c.lhs], kept[c.lhs] = c.rhs, name
+    others = [c for name, c in known.claims.items() if name not in kept.values()]
+    present = _parts_of(_sides((claim, *others), known.squares), replaced)
+    return tuple(name for lhs, name in kept.items() if lhs in present)
+
+
+def _sides(claims: Iterable[Claim], squares: Iterable[Value]) -> list[Any]:
+    """The terms in claims and squares."""
+    return [side for c in claims for side in (c.lhs, c.rhs)] + [value[1] for value in squares]
+
+
+def _parts_of(terms: Iterable[Term], replaced: Mapping[Term, Term]) -> set[Term]:
+    """All that is inside terms, and inside what some of it is replaced by."""
+
+    def inside(term: Term) -> Iterable[Term]:
+        return (replaced[term],) if term in replaced else term.children
+
+    return {*inner_first(terms, inside)}
 
 
 class _Attempt:
@@ -76,11 +104,9 @@ class _Attempt:
     def __init__(
         self, claim: Claim, known: Named, using: tuple[str, ...], budget: WorkBudget
     ) -> None:
-        self.claim, self.using, self.budget = claim, using, budget
+        self.claim, self.known, self.using, self.budget = claim, known, using, budget
         replaced = {known.claims[name].lhs: known.claims[name].rhs for name in using}
-        sides = [side for c in (claim, *known.claims.values()) for side in (c.lhs, c.rhs)]
-        squared = [value[1] for value in known.squares]
-        terms: list[Any] = [*sides, *squared]
+        terms = _sides((claim, *known.claims.values()), known.squares)
         self.clearing = Clearing(terms, replaced, known.is_negative, MAX_EXPANDED)
         self.goal = self.clearing.difference(claim.lhs, claim.rhs)
         self.equations: dict[str, fmpq_mpoly] = {}
@@ -95,6 +121,29 @@ class _Attempt:
         for value in known.squares:
             numerator, _ = self.clearing.clear(value[1])  # type: ignore[arg-type]
             self._add(value, numerator * numerator, strict=False)
+        self.facts = self._relevant()
+
+    def _relevant(self) -> list[Product]:
+        """The facts with variables that are in the claim, or in others of them with such ones."""
+        within = {*variables_in(self.goal)}.union(*map(variables_in, self.equations.values()))
+        left, count = self.facts, -1
+        while count < len(within):
+            count = len(within)
+            for fact in left:
+                variables = {*variables_in(fact.polynomial)}
+                if within & variables:
+                    within |= variables
+        return [fact for fact in left if within.intersection(variables_in(fact.polynomial))]
+
+    def _used(self, addends: tuple[Value, ...], cofactors: tuple[tuple[str, Term], ...]) -> Sum:
+        """The sum, with the equations that replace what is in it."""
+        names = {*_names_in(addends), *(name for name, _ in cofactors)}
+        claims = [c for name, c in self.known.claims.items() if name in names]
+        squares = [*_squares_in(addends), *(("square", term) for _, term in cofactors)]
+        terms = _sides((self.claim, *claims), squares)
+        present = _parts_of(terms, self.clearing.replaced)
+        using = tuple(name for name in self.using if self.known.claims[name].lhs in present)
+        return Sum(addends, using, cofactors)
 
     def _add(self, value: Value, polynomial: fmpq_mpoly, strict: bool) -> None:
         if not polynomial.is_constant():
@@ -104,7 +153,10 @@ class _Attempt:
         """The sum of products of the smallest degree."""
         if self.claim.relation == "=":
             (goal,) = self.clearing.reduced([self.goal])
-            return Sum((), self.using) if goal.is_zero() else self._identity()
+            return self._used((), ()) if goal.is_zero() else self._identity()
+        found = self._eliminated()
+        if found is not None:
+            return found
         for degree in range(MAX_DEGREE + 1):
             products = [*self._products(degree)]
             if len(products) > MAX_COLUMNS:
@@ -113,6 +165,15 @@ class _Attempt:
             if found is not None:
                 return found
         return None
+
+    def _eliminated(self) -> Sum | None:
+        """A sum that bounds one variable after the other, and ends with a polynomial on a box."""
+        facts = [Fact(f.factors[0], f.polynomial, f.strict) for f in self.facts]
+        found = Elimination(self.clearing, facts, self.budget).shown(-self.goal)
+        if found is None or not (found.strict or self.claim.relation == "<="):
+            return None
+        goal = product_of(found.times, "goal")
+        return self._used((goal,) if found.value is None else (goal, found.value), ())
 
     def _products(self, degree: int) -> Iterator[Product]:
         """Products of at most so many facts, with the negated claim at most twice."""
@@ -160,7 +221,7 @@ class _Attempt:
             for weight, i in zip(weights, kept, strict=True)
             if weight
         )
-        return Sum(addends, self.using, self._cofactors(multiples, shares))
+        return self._used(addends, self._cofactors(multiples, shares))
 
     def _multiples(
         self, present: Iterable[Monomial]
@@ -211,7 +272,22 @@ class _Attempt:
         found = solution([], free, column(goal), self.budget)
         if found is None:
             return None
-        return Sum((), self.using, self._cofactors(multiples, found[1]))
+        return self._used((), self._cofactors(multiples, found[1]))
+
+
+def _names_in(value: object) -> Iterator[str]:
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, tuple):
+        yield from (name for part in value for name in _names_in(part))
+
+
+def _squares_in(value: object) -> Iterator[Value]:
+    if isinstance(value, tuple):
+        if value[:1] in (("square",), ("root",)):
+            yield value
+        else:
+            yield from (found for part in value for found in _squares_in(part))
 
 
 def _parts(polynomial: fmpq_mpoly) -> dict[Monomial, fmpq]:

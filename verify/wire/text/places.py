@@ -25,8 +25,12 @@ _KEY_IN_LINE = re.compile(r'\s*+([A-Za-z0-9_."\'-]++(?:\s*+\.\s*+[A-Za-z0-9_"-]+
 class Places:
     """Where in a file a key stands, for messages."""
 
-    def __init__(self, path: str, text: str) -> None:
-        self.path, self.lines = path, text.splitlines()
+    def __init__(self, path: str, text: str, others: Sequence[Places] = ()) -> None:
+        self.path, self.text, self.lines, self.others = path, text, text.splitlines(), others
+
+    def with_others(self, others: Sequence[Places]) -> Places:
+        """These places, and those of files that the page includes."""
+        return Places(self.path, self.text, others)
 
     def error(self, keys: Sequence[str], what: str, value: object = None) -> InputError:
         """The error that something is wrong with a key, or with a value under it."""
@@ -38,9 +42,17 @@ class Places:
 
     def told(self, keys: Sequence[str], value: object = None) -> str:
         """The same, in words."""
+        best = max((self, *self.others), key=lambda places: places.known(keys))
+        if best is not self:
+            return best.told(keys, value)
         line = self._line(keys, value)
         place = f", line {line}" if line else ""
         return f"{self.path}{place}" + (f": {'.'.join(keys)}" if keys else "")
+
+    def known(self, keys: Sequence[str]) -> int:
+        """How many of the keys lead to a line of this file."""
+        lengths = range(len(keys), 0, -1)
+        return next((n for n in lengths if tuple(keys[:n]) in self._key_lines), 0)
 
     def _line(self, keys: Sequence[str], value: object) -> int:
         """The line in which the key stands, or the value if it stands below; 0 if none is found."""

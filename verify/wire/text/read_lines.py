@@ -40,17 +40,20 @@ from verify.language.argument import (
     ToBeFound,
 )
 from verify.language.statement import NEEDED, REFUTED, Always, Applies, Obligation
-from verify.language.terms import Claim, Term, names_of, substitute_claim
+from verify.language.terms import Claim, Term, names_of, substitute, substitute_claim
 from verify.prover.arguments import facts_of
 from verify.wire.inputs import nearest, shown
 from verify.wire.text.by import Facts, read_by
 from verify.wire.text.infix import read_term
 from verify.wire.text.page_tables import Reader
 
-CHAPTER = ("in", "group", "label", "says", "uses", "let", "at", "by", "using", "constants", "rows")
+CHAPTER = (
+    *("in", "group", "label", "says", "uses", "role", "let", "at", "by", "using", "facts"),
+    *("constants", "rows"),
+)
 LINE = (
     *("lemma", "claim", "applies", "at", "always", "start", "next", "instance", "in"),
-    *("says", "label", "uses", "role", "severity", "corrected_by"),
+    *("entries", "says", "label", "uses", "role", "severity", "corrected_by"),
     *("by", "using", "plus", "rule", "of", "side", "false_at", "verdict"),
 )
 #: What stands in place of a text where a sum for one entry replaces names.
@@ -58,7 +61,7 @@ BRANCH = ("by", "using", "plus")
 #: What a line is.
 KINDS = ("lemma", "claim", "applies", "always", "instance")
 #: Rules that are named, since no facts are added.
-RULES = ("cases", "entry", "root", "interval")
+RULES = ("cases", "least", "entry", "root", "interval")
 AT = re.compile(r"\s*([A-Za-z][A-Za-z0-9_.:-]*)\s+at\s+([A-Za-z][A-Za-z0-9_-]*)\s*")
 
 Keys = Sequence[str]
@@ -78,10 +81,13 @@ class Lines:
         self.homes: dict[str, str | None] = {}
         self.waiting = list(page.contexts.values())
         self.conditions = {g.name: (g.claim, c.name) for c in self.waiting for g in c.givens}
+        self.facts: tuple[str, ...] = ()  # what each line from here on may use
         self.undefined: dict[str, tuple[str | None, Term]] = {}
+        self.defined: dict[str, Term] = {}
         for context in self.waiting:
             for constant in context.constants:
                 self.undefined[constant.name] = (context.name, constant.term)
+                self.defined[constant.name] = constant.term
                 self.homes[constant.name] = context.name
 
     def chapters(self, value: object) -> tuple[Chapter, ...]:
@@ -158,14 +164,15 @@ class Lines:
         yield from self._opened_up_to(self._home(entry))
         self.page.let(["chapters", "let"], table.get("let", {}), homes)
         self._constants(table, homes)
+        self.facts += self._names(["chapters", "facts"], table.get("facts", ""))
         rows = self.page.table(["chapters", "rows"], table.get("rows", {}))
         for key, short, home in self.page.placed(rows, homes):
             keys, row = ["chapters", "rows", key], rows[key]
             inner = self._home_of_line(keys, row, home)
             yield from self._opened_up_to(inner)
-            line = self._line(keys, self.page.full(short, inner), row, inner, table)
-            self._are_here(keys, line, inner)
-            yield from self._with_constants(line, None if inner in self.page.sets else inner)
+            for place, line in self._lines(keys, self.page.full(short, inner), row, inner, table):
+                self._are_here(keys, line, place)
+                yield from self._with_constants(line, None if place in self.page.sets else place)
 
     def _constants(self, chapter: Mapping[str, Any], homes: Sequence[str | None]) -> None:
         """The constants that a chapter defines, of the page or of its sets."""
@@ -220,16 +227,86 @@ class Lines:
                 yield from self._define(inner)
             yield Defined(name)
 
-    # --- one line -------------------------------------------------------------------------------
+    # --- one line, or a family of them ---------------------------------------------------------
+
+    def _lines(
+        self, keys: Keys, name: str, row: object, home: str | None, chapter: Mapping[str, Any]
+    ) -> Iterator[tuple[str | None, Line]]:
+        """The lines under a name, each with its context."""
+        table = self.page.table(keys, row if isinstance(row, dict) else {"lemma": row}, LINE)
+        if "entries" in table:
+            for line in self._family(keys, name, table, home, chapter):
+                yield home, line
+        elif "at" in table and "claim" in table and "instance" not in table:
+            place = None if home is None else self.page.contexts[home].parent
+            claim = self._at_values(keys, table, home)
+            yield (
+                place,
+                self._stated(
+                    keys,
+                    name,
+                    claim,
+                    self._reason(keys, table, claim, place),
+                    place,
+                    table,
+                    chapter,
+                ),
+            )
+        else:
+            yield home, self._line(keys, name, table, home, chapter)
+
+    def _family(
+        self,
+        keys: Keys,
+        name: str,
+        table: Mapping[str, Any],
+        home: str | None,
+        chapter: Mapping[str, Any],
+    ) -> Iterator[Line]:
+        """What each entry of the minimum, or maximum, says that a constant is.
+
+        These are rows if something is said of them, in which ``{i}`` is the number of the entry.
+        """
+        of = self.page.text([*keys, "entries"], table["entries"], "the name of a constant")
+        if of not in self.defined:
+            instead = nearest(of, self.defined, "write the name of a constant of a context")
+            raise self.places.error([*keys, "entries"], f"{shown(of)} is no constant; {instead}")
+        whole, term = Term("symbol", of), self.defined[of]
+        extremum = term.op in ("min", "max")
+        for number, entry in enumerate(term.children if extremum else (term,), 1):
+            sides = (entry, whole) if term.op == "max" else (whole, entry)
+            reason = ByEntry(of) if extremum else ByNames((of, *self._facts_in(home)))
+            if term.op == "max":
+                reason = ByEntry(of, "rhs")
+            line = f"{name}-{number}", Claim("<=", *sides), reason
+            if "says" not in table:
+                self.page.name(keys, line[0])
+                self._known(Line(*line), home)
+                yield Line(*line)
+                continue
+            says = self.page.text([*keys, "says"], table["says"]).replace("{i}", str(number))
+            yield self._stated(keys, *line, home, {**table, "says": says}, chapter)
+
+    def _at_values(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> Claim:
+        """A claim at values of the variables of its context, with what the constants are there."""
+        claim = self._claim([*keys, "claim"], table["claim"], home)
+        values = dict(self._values([*keys, "at"], table["at"], home or "", None))
+        for constant in self.page.contexts[home or ""].constants:
+            values[constant.name] = substitute(constant.term, values)
+        return substitute_claim(claim, values)
 
     def _line(
-        self, keys: Keys, name: str, row: object, home: str | None, chapter: Mapping[str, Any]
+        self,
+        keys: Keys,
+        name: str,
+        table: Mapping[str, Any],
+        home: str | None,
+        chapter: Mapping[str, Any],
     ) -> Line:
-        table = self.page.table(keys, row if isinstance(row, dict) else {"lemma": row}, LINE)
         if "instance" in table:
-            table = _fields(chapter, ("at", "by")) | table
+            table = {**_fields(chapter, ("at", "by")), **table}
         elif not {*BRANCH, "rule", "false_at", "instance"} & {*table}:
-            table = _fields(chapter, ("using",)) | table
+            table = {**_fields(chapter, ("using",)), **table}
         kinds = [kind for kind in KINDS if kind in table]
         if len(kinds) != 1 and kinds != ["claim", "instance"]:
             what = f"it has {' and '.join(kinds)}" if kinds else "it has no claim"
@@ -237,7 +314,6 @@ class Lines:
         (kind, *_) = kinds
         for key in _passed_over(table):
             raise self.places.error([*keys, key], "it changes nothing here; leave it out")
-        self.page.name(keys, name)
         claim: Claim | Applies | Always
         if kind in ("applies", "always"):
             claim = self._of_context(keys, kind, table, home)
@@ -246,14 +322,30 @@ class Lines:
         else:
             claim = self._claim([*keys, kind], table[kind], home)
         reason = self._reason(keys, table, claim, home)
+        if kind not in ("lemma", "instance"):
+            return self._stated(keys, name, claim, reason, home, table, chapter)
+        self.page.name(keys, name)
+        self._holds(keys, table)
         line = Line(name, claim, reason)
-        if kind in ("lemma", "instance"):
-            self._holds(keys, table)
-            self._known(line, home)
-            return line
+        self._known(line, home)
+        return line
+
+    def _stated(
+        self,
+        keys: Keys,
+        name: str,
+        claim: Claim | Applies | Always,
+        reason: Reason,
+        home: str | None,
+        table: Mapping[str, Any],
+        chapter: Mapping[str, Any],
+    ) -> Line:
+        """A line that is a row of the statement."""
+        self.page.name(keys, name)
+        line = Line(name, claim, reason)
         if "verdict" in table:
             line = line._replace(reason=self._negation(keys, table["verdict"], line.reason))
-        said = {**_fields(chapter, _FIELDS[:4]), **_fields(table)}
+        said = {**_fields(chapter, _FIELDS[:5]), **_fields(table)}
         if home in self.page.sets:
             said, home = self._said_in(home, name, said), None
         fields = self.page.fields(keys, said)
@@ -377,15 +469,20 @@ class Lines:
             values = self._values([*keys, "at"], table.get("at"), self.homes[fact] or "", home)
             return ByInstance(fact, values, self._names([*keys, "by"], by))
         if "rule" in table:
-            return self._rule(keys, table, home)
-        if by is None and "using" not in table and "plus" not in table:
+            return self._rule(keys, table, claim, home)
+        if (
+            by is None
+            and "using" not in table
+            and "plus" not in table
+            and not self._may_use(claim, home)
+        ):
             return ToBeFound()
         if isinstance(by, list):
             sides = self._entries(keys, table, "rhs")
             return ByLeast(self._branches(keys, by, home), *sides)
         return self._sum(keys, table, home)
 
-    def _rule(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> Reason:
+    def _rule(self, keys: Keys, table: Mapping[str, Any], claim: Claim, home: str | None) -> Reason:
         rule = self.page.text([*keys, "rule"], table["rule"], "the name of a rule")
         if rule == "root":
             return ByRoot()
@@ -395,6 +492,8 @@ class Lines:
             return ByEntry(*self._entries(keys, table, "lhs"))
         if rule == "cases":
             return self._cases(keys, table, home)
+        if rule == "least":
+            return self._least(keys, table, claim, home)
         instead = nearest(rule, RULES, f"write {', '.join(RULES)}")
         raise self.places.error([*keys, "rule"], f"{shown(rule)} is no rule here; {instead}")
 
@@ -406,6 +505,25 @@ class Lines:
             self._fact([*keys, "of"], of)
         return of, self.page.one_of([*keys, "side"], table.get("side", side), ("lhs", "rhs"))
 
+    def _least(
+        self, keys: Keys, table: Mapping[str, Any], claim: Claim, home: str | None
+    ) -> ByLeast:
+        """The same names for each entry of the minimum, or maximum, of a side."""
+        equation, side = self._entries(keys, table, "rhs")
+        found = self._sum(keys, table, home)
+        if isinstance(found, BySum):
+            raise self.places.error(keys, "products are written for each entry: by = [...]")
+        extremum = claim.lhs if side == "lhs" else claim.rhs
+        extremum = extremum if equation is None else self._meaning(equation)
+        if extremum.op not in ("min", "max"):
+            raise self.places.error(keys, "that side is no minimum or maximum; write of = ...")
+        return ByLeast((found,) * len(extremum.children), equation, side)
+
+    def _meaning(self, equation: str) -> Term:
+        """The right side of an equation, or of the definition of a constant."""
+        known = self.claims.get(equation)
+        return self.defined[equation] if known is None else known.rhs
+
     def _cases(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> ByCases:
         """A sum for each entry of a minimum or maximum; ``@1``, ... name what holds there."""
         of = self.page.term([*keys, "of"], table.get("of", ""), self.page.scope.inside(home))
@@ -414,7 +532,10 @@ class Lines:
             what = 'write of = "min(a, b)", or max, and by = [...] with a sum for each entry'
             raise self.places.error(keys, what)
         assumed = tuple(f"@{i}" for i, _ in enumerate(of.children, 1))
-        return ByCases(of, self._branches(keys, by, home, assumed))
+        branches = [b for b in self._branches(keys, by, home, assumed) if isinstance(b, BySum)]
+        if len(branches) < len(by):
+            raise self.places.error(keys, 'write the products for each entry: "goal + a*b"')
+        return ByCases(of, tuple(branches))
 
     def _sum(
         self, keys: Keys, table: Mapping[str, Any], home: str | None, assumed: Sequence[str] = ()
@@ -437,20 +558,27 @@ class Lines:
             return BySum(addends, using, equations)
         if using or equations:
             return BySum((), using, equations)
-        return ByNames(tuple(addends))
+        return ByNames((*dict.fromkeys((*addends, *self._facts_in(home))),))
+
+    def _may_use(self, claim: Claim, home: str | None) -> bool:
+        """Whether a line that names nothing may use facts that a chapter names."""
+        return bool(self._facts_in(home)) and any(names_of(claim.lhs, claim.rhs))
+
+    def _facts_in(self, home: str | None) -> list[str]:
+        """What each line may use beside what it names, as far as it is known in a context."""
+        around = {*self.page.scope.chain(home)}
+        return [name for name in self.facts if self.homes.get(name) in around]
 
     def _branches(
         self, keys: Keys, by: Sequence[object], home: str | None, assumed: Sequence[str] = ()
-    ) -> tuple[BySum, ...]:
+    ) -> tuple[BySum | ByNames, ...]:
         """The sums for the entries of a minimum or maximum."""
-        return tuple(self._branch([*keys, "by"], entry, home, assumed) for entry in by)
-
-    def _branch(self, keys: Keys, entry: object, home: str | None, assumed: Sequence[str]) -> BySum:
-        table = entry if isinstance(entry, dict) else {"by": entry}
-        found = self._sum(keys, self.page.table(keys, table, BRANCH), home, assumed)
-        if isinstance(found, BySum):
-            return found
-        raise self.places.error(keys, 'write the products for each entry: "goal + a*b"')
+        tables = [entry if isinstance(entry, dict) else {"by": entry} for entry in by]
+        place = [*keys, "by"]
+        return tuple(
+            self._sum(place, self.page.table(place, table, BRANCH), home, assumed)
+            for table in tables
+        )
 
     def _names(self, keys: Keys, value: object, assumed: Sequence[str] = ()) -> tuple[str, ...]:
         """The facts of which a text has the names."""
@@ -494,7 +622,7 @@ def _joined(chapters: Iterable[Chapter]) -> Iterator[Chapter]:
             yield Chapter(home, items)
 
 
-#: What is said of a row; the first four may be said of a chapter.
+#: What is said of a row; the first five may be said of a chapter.
 _FIELDS = ("group", "label", "says", "uses", "role", "severity", "corrected_by")
 
 

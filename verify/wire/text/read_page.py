@@ -21,11 +21,13 @@ or to the context below which it stands. Nothing here is trusted.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import Cite
 from verify.wire.inputs import InputError
 from verify.wire.text import Page
+from verify.wire.text.include import Included, Opened, beside
 from verify.wire.text.page_tables import Reader
 from verify.wire.text.places import Places
 from verify.wire.toml import TooLongError, toml_of
@@ -42,14 +44,22 @@ NO_TOML: Mapping[str, str] = {
 IN_QUOTES = "write formulas and Greek names in quotes"
 
 
-def read_page(path: str, content: bytes, cited: Sequence[Cite] = ()) -> Page:
+def read_page(
+    path: str, content: bytes, cited: Sequence[Cite] = (), opened: Opened = beside
+) -> Page:
     """The statement that a page is, and its hints.
 
-    ``cited`` are the statements that a page may cite.
+    ``cited`` are the statements that a page may cite; ``opened`` reads the files that it includes.
 
     Raises:
         InputError: naming the file, the line, the key, and what to write instead.
     """
+    table, places = Included(_read, opened).page(path, content)
+    return Reader(places, cited).page(table, _chapters)
+
+
+def _read(path: str, content: bytes) -> tuple[dict[str, Any], Places]:
+    """The tables in a file, and where they stand."""
     try:
         table, text = toml_of(content)
     except UnicodeDecodeError as error:
@@ -60,7 +70,7 @@ def read_page(path: str, content: bytes, cited: Sequence[Cite] = ()) -> Page:
         why = " ".join(str(error).split())
         instead = next((text for part, text in NO_TOML.items() if part in why), IN_QUOTES)
         raise InputError(f"{path}: is no TOML file ({why}); {instead}") from error
-    return Reader(Places(path, text), cited).page(table, _chapters)
+    return table, Places(path, text)
 
 
 def _chapters(page: Reader, value: object) -> tuple[Chapter, ...]:

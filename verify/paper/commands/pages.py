@@ -44,7 +44,7 @@ def content(name: str) -> bytes:
 
 
 def included(name: str) -> dict[str, bytes]:
-    """The files that the page of this name includes, and those that they include, by their paths."""
+    """The files that a page includes, and those that they include, by their paths."""
     found: dict[str, bytes] = {}
 
     def follow(text: bytes, folder: str) -> None:

@@ -105,7 +105,7 @@ class Elimination:
         return found and found._replace(times=product_of(*times, found.times))
 
     def _reduced(self, polynomial: fmpq_mpoly) -> tuple[fmpq_mpoly | None, tuple[Value, ...]]:
-        """The polynomial without squares of roots, and the denominators that it was multiplied by."""
+        """The polynomial without squares of roots, and the denominators that multiply it."""
         times: list[Value] = []
         for index, atom in reversed([*enumerate(self.clearing.atoms)]):
             if atom.op not in ROOTS or polynomial.is_zero():
@@ -167,7 +167,8 @@ class Elimination:
                 x = (gens[i] * high.number + gens[count + i] * low.number) * (1 / width)
                 found = sum((c * x**k * one ** (degree - k) for k, c in parts.items()), one * 0)
             else:
-                x = gens[i] + low.number if low else high.number - gens[count + i]  # type: ignore
+                x = gens[i] + low.number if low else -gens[count + i]
+                x = x + high.number if high else x
                 found = sum((c * x**k for k, c in parts.items()), x * 0)
         return found
 
@@ -188,7 +189,7 @@ class Elimination:
             addends.append(factor)
         return Shown("1", product_of(*_powers(bounds, common), sum_of(*addends)), strict)
 
-    # --- factors, roots and facts ------------------------------------------------------------------------
+    # --- factors, roots and facts ---------------------------------------------------------------
 
     def _by_factors(self, polynomial: fmpq_mpoly) -> Shown | None:
         """Factors that are >= 0, or the opposites of two of which are, and squares of others."""

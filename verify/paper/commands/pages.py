@@ -45,7 +45,7 @@ def content(name: str) -> bytes:
 
 
 def included(name: str) -> dict[str, bytes]:
-    """The files that a page includes, with those that they include, by their paths."""
+    """The files that a page includes, and those that they include, by their paths."""
     found: dict[str, bytes] = {}
 
     def follow(text: bytes, folder: str) -> None:

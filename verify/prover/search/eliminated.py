@@ -105,7 +105,7 @@ class Elimination:
         return found and found._replace(times=product_of(*times, found.times))
 
     def _reduced(self, polynomial: fmpq_mpoly) -> tuple[fmpq_mpoly | None, tuple[Value, ...]]:
-        """The polynomial without squares of roots, and what it was multiplied by."""
+        """The polynomial without squares of roots, and the denominators that multiply it."""
         times: list[Value] = []
         for index, atom in reversed([*enumerate(self.clearing.atoms)]):
             if atom.op not in ROOTS or polynomial.is_zero():
@@ -167,7 +167,8 @@ class Elimination:
                 x = (gens[i] * high.number + gens[count + i] * low.number) * (1 / width)
                 found = sum((c * x**k * one ** (degree - k) for k, c in parts.items()), one * 0)
             else:
-                x = gens[i] + low.number if low else high.number - gens[count + i]  # type: ignore[union-attr]
+                x = gens[i] + low.number if low else -gens[count + i]
+                x = x + high.number if high else x
                 found = sum((c * x**k for k, c in parts.items()), x * 0)
         return found
 

@@ -13,6 +13,11 @@ from docs.generated import JUDGES, ROOT, RUNS, believed, believed_and_proved, sh
 from verify.cli import main
 from verify.paper.commands import pages
 
+#: What Coq proves of the sentences of the classification.
+OF_CLASSIFICATION = (
+    "cauchy-schwarz, bounded-monotone, finite-length, glue-lemma, glue-classification, glue-scenes"
+)
+
 
 def line(capsys: pytest.CaptureFixture[str], *words: str) -> str:
     """The sentence that a command prints on what is believed."""
@@ -37,10 +42,7 @@ def test_what_coq_has_not_proved_is_believed(capsys: pytest.CaptureFixture[str])
     found = line(capsys, "classification")
     assert found.startswith("Rests on 14 sentences. Believed: ")
     believed, _, proved = found.partition(" Proved in Coq: ")
-    assert proved == (
-        "cauchy-schwarz, bounded-monotone, finite-length, glue-lemma, glue-classification, "
-        "glue-scenes."
-    )
+    assert proved == f"{OF_CLASSIFICATION}."
     assert believed.endswith("glue-second.")
     assert "glue-impulse" in believed
 
@@ -82,7 +84,7 @@ def test_the_table_of_the_pages_says_the_same() -> None:
     assert table["theorem1 --r R"] == table["theorem1 --all"]
     assert table["separatrix --all"][2] == "limit-map (definition), unending (definition)"
     assert table["map"][0] == "the theorems, not the log"
-    assert table["classification"][1] == "cauchy-schwarz, finite-length, glue-classification"
+    assert table["classification"][1] == OF_CLASSIFICATION
     assert table["the printed sign, which makes the theorem false"][1:] == [
         "glue-as-printed", "hard-spheres (definition), alternating-run (definition)",
     ]  # fmt: skip

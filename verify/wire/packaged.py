@@ -30,11 +30,11 @@ PACKAGED_FILES = {
     },
     ALL: {
         "statement.json": "8732bbdf352eef2623fb3cb50fd30b6ab0b4e6fb49f2b4592ba61278b9a95619",
-        "certificate.json": "66265cc3438023d95d7352bd3fdb0a90f0d2f2a83c89c809d4ba8ade92f711b5",
+        "certificate.json": "d1800a119d7d2012c81fffc8d4624f026948f7f3f1c9e011e8124207301747c2",
     },
     PRINTED_SET: {
         "statement.json": "0cc7a4cc9fbe85282249c5391d26d9d73b5a7a88e07f9294c400f171538a48b1",
-        "certificate.json": "d609cbd1827236a8c8b63f8b7820e6da57acfcff634e2b0b8b0eabea72473a90",
+        "certificate.json": "3d4226f92179f1e84ee4bf52254c7cdfbcce96956eab2a481376f0fc402ae1e7",
     },
     PRINTED_SIGN: {
         "statement.json": "463af7a92b5e55614165a6db3576bbdc71f2369147ab8e69e1116bd12ed9cd30",
@@ -42,7 +42,7 @@ PACKAGED_FILES = {
     },
     "thresholds": {
         "statement.json": "cd4602cefb1bfc76902297d936571f3de8ddb6e51fe4789ca75bdc3f263bc9c5",
-        "certificate.json": "48f5e286ef807ee68041b7ae2ee2872b9deffb43b84990603047c47a044169ea",
+        "certificate.json": "b91a2e5c5fe90afc92de5e8b376eee099f1d51c28586d9a8b721f0aa230076b0",
     },
     "spectrum": {
         "statement.json": "cb88e35f0984c1c4533cbdb35be8510235da71449440e01f380931109a05b129",
@@ -82,7 +82,7 @@ PACKAGED_FILES = {
     },
     AS_PRINTED: {
         "statement.json": "5c9a22d238e60320ab5e80a982eba34ca454f3ac39e3e63bc9f15dc32133b5d6",
-        "certificate.json": "04c8d41fb88caafa5fb0cee7cd809f453374c3717acc18af3f20886cc9b05b49",
+        "certificate.json": "004f02dd90e0b4ab2a212c4b4eb6cb8aceed660aa9a6c8fa5b2bafc2fdb933e0",
     },
 }
 
@@ -90,7 +90,7 @@ PACKAGED_FILES = {
 PAGES = {
     "all_parameters": (
         "theorem1-all",
-        "6bf86cae0dece67eeffe4fa0ae86c76e1f0f13cb2aec1b0bc6f3474aae966aa4",
+        "2780e0acfbe8b668d50c65c510656fa9c02d4d7e1389021fc0204cbbd45ac3a6",
     ),
     "classification": (
         "classification",
@@ -102,11 +102,11 @@ PAGES = {
     ),
     "printed_rows": (
         "printed",
-        "7353d3d044b1be1ff1e48beccf98a6c71cff3d80d7e70f4f03ac9c01f1021d03",
+        "62052da5222f4fbae2a085f1521d2bd41b812d352226ec78588d951a1f59b7c4",
     ),
     "printed_set": (
         "printed-set",
-        "d9dbbf62f836b38ec5e5e054651113f0d54b131a384efb9369de5570072147a0",
+        "2bec233c32488f0a9f9aab198b1ca456184c065cbb4bd374069b4fe864c9ffec",
     ),
     "printed_sign": (
         "printed-sign",
@@ -142,7 +142,7 @@ PAGES = {
     ),
     "thresholds": (
         "thresholds",
-        "0fcf81ba178ce421fce120c7685f98d139c9e100b1f3615c27f7b6cd1525f006",
+        "c10f0320f217c6e452bd06ad8fb3f08fff840fd991e38ee91eced7dec88a96f4",
     ),
 }
 

@@ -64,7 +64,7 @@ def test_the_page_of_theorem_1_is_proved_at_its_own_point() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_what_came_with_the_program_is_what_the_page_says(name: str) -> None:
     """If the digest is not that of the page: python -m tests.bring."""
-    assert became(name, pages.content(name)) == PAGES[name][0]
+    assert became(name, pages.whole(name)) == PAGES[name][0]
     assert pages.statement(name) == pages.page(name).statement
     assert pages.accepted(name) == pages.decide(name)
     assert pages.cite(name).content == write(pages.decide(name))["statement.json"]

@@ -173,7 +173,9 @@ def test_other_thresholds_are_refused(old: str, new: str, rows: int) -> None:
     """The same proofs do not prove rows with another number in the place of a threshold."""
     outcome = pages.decide("thresholds")
     text = pages.content("thresholds").decode()
-    changed = read_page("thresholds.toml", text.replace(old, new).encode()).statement
+    changed = read_page(
+        f"{pages.FOLDER}/thresholds.toml", text.replace(old, new).encode()
+    ).statement
     pairs = zip(outcome.statement.obligations, changed.obligations, strict=True)
     assert sum(one.claim != other.claim for one, other in pairs) >= rows
     assert report(outcome._replace(statement=changed)).verdict == "REFUSED"

@@ -8,7 +8,7 @@ import pytest
 
 from verify.paper.commands import index, pages, spectrum, step
 from verify.paper.commands.index import near, written
-from verify.paper.commands.pages import content, names, page
+from verify.paper.commands.pages import content, included, names, page
 from verify.paper.commands.place import ROOT
 from verify.paper.commands.places import places
 from verify.paper.theorem1 import theorem
@@ -32,14 +32,16 @@ def test_a_row_of_both_sets_has_one_line() -> None:
 @pytest.mark.parametrize("name", names())
 def test_a_name_of_a_page_is_where_its_line_begins(name: str) -> None:
     """Rows and lemmas begin a line; what is given stands there by its name or its number."""
-    lines = content(name).decode().splitlines()
-    found = [place for place in places() if place.path == f"verify/paper/{name}.toml"]
+    texts = {f"{name}.toml": content(name), **included(name)}
+    lines = {f"verify/paper/{path}": text.decode().splitlines() for path, text in texts.items()}
+    found = [place for place in places() if place.path in lines]
     rows = page(name).statement.obligations
     assert len(found) > len(rows) > 5
     assert {row.name for row in rows} <= {place.name for place in found}
     for place in found:
-        written = lines[place.line - 1].partition("=")[0].replace('"', "").strip().lstrip(".")
-        ends = (place.name, place.name.rpartition(".")[2])
+        line = lines[place.path][place.line - 1]
+        written = line.partition("=")[0].replace('"', "").strip().lstrip(".")
+        ends = (place.name, place.name.rpartition(".")[2], place.name.rpartition("-")[0])
         begins = (written, written.rpartition(".")[0], written.partition(".")[0])
         assert {*begins} & {*ends}, place
 

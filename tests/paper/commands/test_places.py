@@ -31,7 +31,10 @@ def test_a_row_of_both_sets_has_one_line() -> None:
 
 @pytest.mark.parametrize("name", names())
 def test_a_name_of_a_page_is_where_its_line_begins(name: str) -> None:
-    """Rows and lemmas begin a line; what is given stands there by its name or its number."""
+    """Rows and lemmas begin a line; what is given stands there by its name or its number.
+
+    One line has the entries of a minimum, each with its number behind the name of the line.
+    """
     lines = content(name).decode().splitlines()
     found = [place for place in places() if place.path == f"verify/paper/{name}.toml"]
     rows = page(name).statement.obligations
@@ -40,6 +43,8 @@ def test_a_name_of_a_page_is_where_its_line_begins(name: str) -> None:
     for place in found:
         written = lines[place.line - 1].partition("=")[0].replace('"', "").strip().lstrip(".")
         ends = (place.name, place.name.rpartition(".")[2])
+        if "entries = " in lines[place.line - 1]:
+            ends = (*ends, place.name.rpartition("-")[0])
         begins = (written, written.rpartition(".")[0], written.partition(".")[0])
         assert {*begins} & {*ends}, place
 

@@ -16,7 +16,7 @@ from flint import fmpq, fmpq_mpoly
 from verify.language.record import Record
 from verify.language.terms import Claim, Term
 from verify.prover.budget import WorkBudget
-from verify.prover.clearing import ATOMS, Clearing, expanded, inner_first, variables_in
+from verify.prover.clearing import ATOMS, ROOTS, Clearing, expanded, inner_first, variables_in
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Value, product_of
 from verify.prover.rules import Sum
@@ -62,26 +62,25 @@ def by_names(claim: Claim, known: Named, budget: WorkBudget) -> Sum | None:
         SpentError: when the work is spent.
         TooLongError: if the terms are too long to be expanded.
     """
-    for using in dict.fromkeys((_replacing(claim, known), ())):
+    for using in dict.fromkeys((_replacing(known), ())):
         found = _Attempt(claim, known, using, budget).found()
         if found is not None:
             return found
     return None
 
 
-def _replacing(claim: Claim, known: Named) -> tuple[str, ...]:
-    """Equations that replace their left sides, which are atoms that there are, and in no circle."""
+def _replacing(known: Named) -> tuple[str, ...]:
+    """Equations that replace their left sides, which are atoms, and in no circle."""
     atomic = {
         name: c for name, c in known.claims.items() if c.relation == "=" and c.lhs.op in ATOMS
     }
     replaced: dict[Term, Term] = {}
-    kept: dict[Term, str] = {}
+    found: list[str] = []
     for name, c in atomic.items():
         if c.lhs not in replaced and c.lhs not in _parts_of((c.rhs,), replaced):
-            replaced[c.lhs], kept[c.lhs] = c.rhs, name
-    others = [c for name, c in known.claims.items() if name not in kept.values()]
-    present = _parts_of(_sides((claim, *others), known.squares), replaced)
-    return tuple(name for lhs, name in kept.items() if lhs in present)
+            replaced[c.lhs] = c.rhs
+            found.append(name)
+    return tuple(found)
 
 
 def _sides(claims: Iterable[Claim], squares: Iterable[Value]) -> list[Any]:
@@ -124,11 +123,17 @@ class _Attempt:
         self.facts = self._relevant()
 
     def _relevant(self) -> list[Product]:
-        """The facts with variables that are in the claim, or in others of them with such ones."""
+        """The facts with variables that are in the claim, or in others of them with such ones.
+
+        The square of a root has those of its radicand.
+        """
         within = {*variables_in(self.goal)}.union(*map(variables_in, self.equations.values()))
         left, count = self.facts, -1
         while count < len(within):
             count = len(within)
+            for index in [i for i in within if self.clearing.atoms[i].op in ROOTS]:
+                for part in self.clearing.clear(self.clearing.atoms[index].children[0]):
+                    within |= {*variables_in(part)}
             for fact in left:
                 variables = {*variables_in(fact.polynomial)}
                 if within & variables:

@@ -11,13 +11,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
-from verify.language.argument import Line, ToBeFound
-from verify.language.record import TYPE_CHECKING, Record
+from verify.language.argument import Chapter, Line, ToBeFound
+from verify.language.record import Record
 from verify.language.statement import Choice, Context, Obligation, Statement
 from verify.prover.hint import Hint
-
-if TYPE_CHECKING:
-    from verify.language.argument import Chapter
 
 #: So many other forms of a row are tried.
 OTHERS = 3

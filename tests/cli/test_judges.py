@@ -239,7 +239,7 @@ def test_a_false_line_of_a_page_is_undecided(
     more: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The ratio falls if 2√r <= 1 + r; with another hundred on the left that is false."""
-    honest = pages.argument("classification")
+    honest = pages.page("classification")
 
     def falsified(claim: Claim) -> Claim:
         return Claim(claim.relation, claim.lhs + 100, claim.rhs)
@@ -253,7 +253,7 @@ def test_a_false_line_of_a_page_is_undecided(
     chapters = tuple(c._replace(items=tuple(map(changed, c.items))) for c in honest.chapters)
     statement = honest.statement._replace(obligations=rows)
     lie = honest._replace(statement=statement, chapters=chapters)
-    monkeypatch.setattr(pages, "argument", lambda _: lie)
+    monkeypatch.setattr(pages, "page", lambda _: lie)
     monkeypatch.setattr(pages, "became", lambda _name, _text: None)  # its text was changed
     for known in (pages.decide, pages.accepted, pages.statement):
         monkeypatch.setattr(pages, known.__name__, cache(known.__wrapped__))

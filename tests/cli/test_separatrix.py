@@ -160,9 +160,10 @@ def test_what_is_too_long_for_the_checker_is_not_written(
 
 
 def test_a_point_run_loads_nothing_of_it() -> None:
+    """Of the spheres it has their parameters only."""
     code = (
         "import sys; from verify.cli import main; main(['theorem1', '--r', '0.03']); "
         "print([name for name in sys.modules if 'spheres' in name])"
     )
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
-    assert done.stdout.endswith("\n[]\n")
+    assert done.stdout.endswith("\n['verify.spheres', 'verify.spheres.parameters']\n")

@@ -132,7 +132,7 @@ def test_a_search_that_is_ended(tmp_path: Path, sign: int, code: int, says: str)
     """One line on stderr tells it, wherever the search is; what was decided is printed."""
     page = tmp_path / "long.toml"
     rows = "".join(
-        f'r{i} = {{in = "c", claim = "sin(x*y + {i})^2 + y^2 >= x"}}\n' for i in range(99)
+        f'r{i} = {{in = "c", claim = "sin(x*y + {i})^2 + y^2 >= x"}}\n' for i in range(999)
     )
     page.write_text(
         'title = "long"\n[contexts.c]\nvariables = ["x", "y"]\n'

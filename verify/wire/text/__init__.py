@@ -11,10 +11,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
-from verify.language.argument import Chapter, Line, ToBeFound
-from verify.language.record import Record
+from verify.language.record import TYPE_CHECKING, Record
 from verify.language.statement import Choice, Context, Obligation, Statement
 from verify.prover.hint import Hint
+
+if TYPE_CHECKING:
+    from verify.language.argument import Chapter
 
 #: So many other forms of a row are tried.
 OTHERS = 3
@@ -40,7 +42,8 @@ class Page(Record):
 
     def with_rows(self, rows: tuple[Obligation, ...]) -> Page:
         """The page with these of its rows; others that lines name are lemmas."""
-        from verify.prover.arguments import facts_of  # loaded only where it is used
+        from verify.language.argument import Chapter, Line  # loaded only where they are used
+        from verify.prover.arguments import facts_of
 
         names = {row.name for row in self.statement.obligations} - {row.name for row in rows}
         lines = {x.name: x for c in self.chapters for x in c.items if isinstance(x, Line)}
@@ -64,6 +67,8 @@ class Page(Record):
     @property
     def is_argued(self) -> bool:
         """Whether a line says what it follows from, or is no row."""
+        from verify.language.argument import Line, ToBeFound  # loaded only where they are used
+
         rows = {row.name for row in self.statement.obligations}
         lines = (item for chapter in self.chapters for item in chapter.items)
         return any(

@@ -27,13 +27,13 @@ from verify.language.record import TYPE_CHECKING
 from verify.language.statement import Cite
 from verify.wire.inputs import InputError
 from verify.wire.text import Page
-from verify.wire.text.include import Included, Opened, beside
 from verify.wire.text.page_tables import Reader
 from verify.wire.text.places import Places
 from verify.wire.toml import TooLongError, toml_of
 
 if TYPE_CHECKING:
     from verify.language.argument import Chapter
+    from verify.wire.text.include import Opened
 
 #: What to write in place of what is no TOML: where its reader says so, and elsewhere.
 NO_TOML: Mapping[str, str] = {
@@ -45,16 +45,21 @@ IN_QUOTES = "write formulas and Greek names in quotes"
 
 
 def read_page(
-    path: str, content: bytes, cited: Sequence[Cite] = (), opened: Opened = beside
+    path: str, content: bytes, cited: Sequence[Cite] = (), opened: Opened | None = None
 ) -> Page:
     """The statement that a page is, and its hints.
 
-    ``cited`` are the statements that a page may cite; ``opened`` reads the files that it includes.
+    ``cited`` are the statements that a page may cite; ``opened`` reads the files that it includes, by
+    default from disk.
 
     Raises:
         InputError: naming the file, the line, the key, and what to write instead.
     """
-    table, places = Included(_read, opened).page(path, content)
+    table, places = _read(path, content)
+    if "include" in table:
+        from verify.wire.text.include import Included, beside  # loaded only where they are used
+
+        table, places = Included(_read, opened or beside).page(path, content)
     return Reader(places, cited).page(table, _chapters)
 
 

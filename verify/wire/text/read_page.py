@@ -49,8 +49,8 @@ def read_page(
 ) -> Page:
     """The statement that a page is, and its hints.
 
-    ``cited`` are the statements that a page may cite; ``opened`` reads the files that it includes, by
-    default from disk.
+    ``cited`` are the statements that a page may cite; ``opened`` reads the files that it includes,
+    by default from disk.
 
     Raises:
         InputError: naming the file, the line, the key, and what to write instead.

@@ -26,7 +26,7 @@ TRUE = {
     "an-enclosure-of-one-row-after-the-other",
     "a-minimum-of-long-rationals-in-each-branch", "rows-that-use-one-of-many-assumptions",
     "premises-that-are-names", "roots-in-a-deep-context", "tables-that-are-kept",
-    "many-constants-each-of-two-names",
+    "many-constants-each-of-two-names", "a-context-with-many-variables-and-givens",
 }  # fmt: skip
 
 

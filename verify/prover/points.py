@@ -19,6 +19,8 @@ MOST = (1, 2, 3, 4, 6, 10, 12, 60, 100, 1000, 10**4, 10**6, 10**9, 10**12, 10**1
 
 #: How many points are tried that mix the candidates, and then how many corners.
 MAX_POINTS = 64
+#: Longer rational numbers are enclosed.
+MAX_EXACT_BITS = 1 << 16
 MAX_CORNERS = 64
 
 _FRACTIONS = tuple(map(Fraction, ("1/2", "1/4", "3/4", "1/5", "2/3", "1/7", "9/10", "1/100")))
@@ -88,7 +90,7 @@ def failure_test(goal: Goal, enclose: Callable[[str, int], Any]) -> Test:
     """Whether the claim is false at a point: by exact values, or else by enclosures."""
     relation = goal.claim.relation
     program, sides = goal.program()
-    exact = Machine(program, ExactArithmetic())
+    exact = Machine(program, ExactArithmetic(MAX_EXACT_BITS))
     with balls.precision(BITS):
         enclosed = Machine(program, balls.BallArithmetic())
         constants = [enclose(name, BITS) for name in goal.constants]

@@ -48,7 +48,17 @@ def test_claims_of_pages_of_constants(claim: Claim, first: Term, second: Term) -
 
 
 @pytest.mark.parametrize(("first", "second"), IRRATIONAL)
-@pytest.mark.parametrize("claim", [a <= x * log(x) + 1, log(a) <= log(x), 1 < exp(log(x) * b)])
+@pytest.mark.parametrize(
+    "claim",
+    [
+        a <= x * log(x) + 1,
+        log(a) <= log(x),
+        pytest.param(
+            1 < exp(log(x) * b),
+            marks=pytest.mark.xfail(strict=True),
+        ),
+    ],
+)
 def test_constants_that_are_no_rational_numbers(claim: Claim, first: Term, second: Term) -> None:
     assert asked(claim, first, second).decisions["row"].verdict == PROVED
 

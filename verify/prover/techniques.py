@@ -19,7 +19,7 @@ from verify.prover.universal import Universal
 #: With more variables than these a goal is not tried again with those that givens link to its own.
 MAX_LINKED = 5
 FEW_LEAVES, MANY_LEAVES = 300, 20_000
-FEW_PARTS = 100
+FEW_PARTS, MANY_PARTS = 100, 2000
 
 
 class Technique(Record):
@@ -106,6 +106,10 @@ SEARCHES = (
     Technique("entries", _from("extrema", "by_entries")),
     Technique("cases", _from("extrema", "by_cases")),
     Technique("squares", _from("positive", "squares")),
+    Technique(
+        "coefficients on many parts", _from("bernstein_boxes", "by_bernstein", parts=MANY_PARTS)
+    ),
+    Technique("a large tree", _from("tree", "by_tree", leaves=MANY_LEAVES)),
 )
 
 

@@ -6,6 +6,7 @@ slow` runs them, as CI does, and a file that is named is run as it is.
 
 from __future__ import annotations
 
+import gc
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -51,6 +52,12 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
             "verify/data was made by another version of the program, which may be why tests fail: "
             "run `verify certify` and `python -m tests.bring` until nothing is written"
         )
+
+
+@pytest.fixture(autouse=True)
+def no_callbacks_of_the_collector() -> None:
+    """Hypothesis times the garbage collector, and an alarm that rings there is lost."""
+    gc.callbacks.clear()
 
 
 @pytest.fixture(autouse=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import time
 from typing import Any
 
@@ -82,3 +83,28 @@ def test_an_alarm_rings_only_inside() -> None:
     time.sleep(0.1)
     with WorkBudget().alarm():
         time.sleep(0.01)
+
+
+def test_an_alarm_that_was_lost_rings_again() -> None:
+    """An error in a callback of the garbage collector ends nothing: Python only reports it."""
+    heard = []
+
+    def callback(_phase: str, _info: dict[str, int]) -> None:
+        if not heard:
+            try:
+                time.sleep(0.2)
+            except SpentError:
+                heard.append(True)
+
+    budget = WorkBudget(seconds=0.05)
+    budget.begin("row", 1)
+    gc.callbacks.append(callback)
+
+    def collect() -> None:
+        with budget.alarm():
+            gc.collect()
+            time.sleep(1)
+
+    with pytest.raises(SpentError, match="--time"):
+        collect()
+    assert heard

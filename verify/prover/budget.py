@@ -16,6 +16,8 @@ class SpentError(ArithmeticError):
     """The work, or the time, is used up."""
 
 
+#: An alarm rings again after so many seconds.
+RINGS_AGAIN = 0.05
 TOO_LATE = "its share of the time is over; allow more, by --time"
 
 
@@ -104,6 +106,8 @@ class WorkBudget:
         """What takes longer than a row may, and counts no work meanwhile, ends by a `SpentError`.
 
         An alarm of the operating system rings where there is a limit of time, in the main thread.
+        It rings again until it is heard: an error is lost where Python itself calls a function (a
+        finalizer, a callback of the garbage collector).
         """
         can_ring = self._row_end is not None and hasattr(signal, "setitimer")
         if not can_ring or threading.current_thread() is not threading.main_thread():
@@ -115,7 +119,8 @@ class WorkBudget:
 
         before = signal.signal(signal.SIGALRM, ring)
         try:
-            signal.setitimer(signal.ITIMER_REAL, max(1e-3, (self._row_end or 0) - monotonic()))
+            left = (self._row_end or 0) - monotonic()
+            signal.setitimer(signal.ITIMER_REAL, max(1e-3, left), RINGS_AGAIN)
             yield
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)

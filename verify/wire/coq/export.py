@@ -38,7 +38,8 @@ def export(
     if ending is not None:
         more = ending(reading)
     else:
-        more = [*(readable(reading, Readable(reading), rows(reading)) if ordinary else ()), ASSUMPTIONS]
+        form = Readable(reading)
+        more = [*(readable(reading, form, rows(reading)) if ordinary else ()), ASSUMPTIONS]
     return "\n".join((head(reading), *data(reading), *theorem(reading), *more))
 
 

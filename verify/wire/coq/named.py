@@ -36,9 +36,7 @@ def rows(reading: Reading, words: set[str]) -> list[str]:
     notation = Readable(reading).notation
     own = {row.name: notation.name(row.name) for row in reading.statement.rows.values()}
     return [
-        row
-        for row, name in own.items()
-        if words & {name, f"row_of_{name}", f"row_of_{name}_is"}
+        row for row, name in own.items() if words & {name, f"row_of_{name}", f"row_of_{name}_is"}
     ]
 
 

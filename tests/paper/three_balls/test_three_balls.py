@@ -1,4 +1,4 @@
-"""The theorem on three balls: accepted as it is, refused with anything missing or changed, and true."""
+"""The theorem on three balls: accepted as it is, refused with anything changed, and true."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import re
 from collections import Counter
 from fractions import Fraction
 from functools import cache
+from pathlib import Path
 
 import pytest
 from flint import arb
@@ -20,7 +21,6 @@ from tests.paper.changed_statements import (
     without,
 )
 from tests.paper.sandwich.states import holds
-from tests.paper.sharper.particles import dot
 from tests.paper.three_balls.states import (
     GIVENS,
     STAIR,
@@ -30,12 +30,17 @@ from tests.paper.three_balls.states import (
     Values,
     fails,
 )
+from verify.language.argument import Argument
 from verify.language.statement import PROVED
 from verify.language.terms import Claim
 from verify.paper.commands.collapse import decide_three_balls
+from verify.paper.commands.pages import cite, content
 from verify.prover import balls
+from verify.prover.arguments import write_down
 from verify.prover.proof import LemmaStep
+from verify.wire.judge import judged
 from verify.wire.read import read
+from verify.wire.text.read_page import read_page
 from verify.wire.write import write
 
 #: 430 digits.
@@ -82,6 +87,15 @@ def test_the_point_is_inside() -> None:
             assert holds(Claim("<", claim.lhs, claim.rhs), point), name
     for name in ("m", "r", "sigma", "beta", "Y", "E"):
         assert point[f"{name}_0"] != point[f"{name}_1"], name
+
+
+def test_equal_particles_are_a_special_case() -> None:
+    """What the sandwich theorem asks implies what this one asks: the page beside this test."""
+    path = Path(__file__).with_name("equal.toml")
+    cited = (cite("three_balls"),)
+    read_here = read_page(str(path), path.read_bytes(), cited, lambda _: content("sandwich_below"))
+    found = judged(write_down(Argument(read_here.statement, read_here.chapters)))
+    assert found.decisions["equal"].verdict == found.verdict == PROVED
 
 
 # --- what is refused -----------------------------------------------------------------------------

@@ -11,7 +11,6 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
-
 from typing import Protocol
 
 from verify.language.record import Record
@@ -37,7 +36,7 @@ class Fixed(Protocol):
     """The map of two numbers with fixed parameters; those of its steps may alternate."""
 
     @property
-    def U_b(self) -> Fraction:
+    def U_b(self) -> Fraction:  # noqa: N802
         """No U is larger."""
 
     def alpha(self, n: int) -> Fraction:
@@ -46,7 +45,7 @@ class Fixed(Protocol):
     def rho(self, n: int) -> Fraction:
         """The factor of U in P at the n-th step."""
 
-    def R(self, n: int) -> Fraction:
+    def restitution(self, n: int) -> Fraction:
         """The factor of (1 - U)/P in Q' at the n-th step."""
 
 
@@ -65,7 +64,7 @@ class Bounds(Record):
         """The factor of 1 - U in P."""
         return (1 + self.r) / 2 * (self.C_0 - self.Theta)
 
-    def R(self, _: int) -> Fraction:
+    def restitution(self, _: int) -> Fraction:
         """The factor of (1 - U)/P in Q'."""
         return self.r * self.G
 
@@ -87,7 +86,7 @@ def step_of(bounds: Fixed, n: int, at: Point) -> Point | None:
     found = above(root_part(load))
     if found > bounds.U_b or load > found * (2 - found):
         return None
-    return above(bounds.R(n) * (1 - U) / P), found
+    return above(bounds.restitution(n) * (1 - U) / P), found
 
 
 def root_part(load: Fraction) -> float:
@@ -118,7 +117,7 @@ class Stair(Record):
 
 def cycle_of(bounds: Fixed) -> tuple[float, float] | None:
     """What Q tends to where U is 0, before even and odd steps; None if Q does not go on."""
-    alpha, R = ([float(f(n)) for n in (0, 1)] for f in (bounds.alpha, bounds.R))
+    alpha, R = ([float(f(n)) for n in (0, 1)] for f in (bounds.alpha, bounds.restitution))
     if min(alpha) <= 0:
         return None
     found = []
@@ -158,7 +157,7 @@ def may_close(bounds: Fixed, at: Point, cycle: tuple[float, float]) -> bool:
     """
     top = float(bounds.U_b) + TINY
     alpha, R, rho = (
-        [float(f(n)) for n in (0, 1)] for f in (bounds.alpha, bounds.R, bounds.rho)
+        [float(f(n)) for n in (0, 1)] for f in (bounds.alpha, bounds.restitution, bounds.rho)
     )
 
     def step(n: int, Q: float, U: float) -> tuple[float, float] | None:
@@ -303,7 +302,7 @@ def _is_step(x: Fixed, n: int, here: Point, following: Point) -> bool:
     P = x.alpha(n) * (1 - U) - Q - push
     load = push * (2 * Q + push)
     falls = load <= U_next * (2 - U_next) * P**2
-    return x.alpha(n) >= 0 and P > 0 and x.R(n) * (1 - U) <= Q_next * P and falls
+    return x.alpha(n) >= 0 and P > 0 and x.restitution(n) * (1 - U) <= Q_next * P and falls
 
 
 def duration(x: Mapping[str, Number]) -> Number:

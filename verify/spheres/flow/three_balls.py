@@ -1,5 +1,4 @@
-"""From a state just after a collision of balls of any masses and radii: numbers with which the
-theorem on three balls shows a collapse.
+"""From a state just after a collision: numbers with which any three balls collapse.
 
 The search is that of `sandwich.py`, with shares, coefficients of restitution and bounds of the
 decay that alternate. It proves nothing; what the theorem asks for is then decided, with the letters
@@ -81,7 +80,7 @@ class Bounds(Record):
         """The factor of 1 - U in P at the n-th step: the balls exchange their roles each time."""
         return self.bodies.share(n % 2) * (self.C_0 - self.Theta)
 
-    def R(self, n: int) -> Fraction:
+    def restitution(self, n: int) -> Fraction:
         """The factor of (1 - U)/P in Q'."""
         return self.bodies.r[n % 2] * self.G
 
@@ -160,7 +159,9 @@ def bounds_of(bodies: Bodies, at: Sizes, widest: Fraction, before: Bounds | None
     E = [above((step[i] + float(fall[i]) * step[1 - i]) / rest, TIME_DIGITS) for i in (0, 1)]
     z = above(e * max(1, float(fall[0]), share[0], share[1] * float(fall[0])) * (1 + TINY))
     theta = max(float(w_0 + w_1 + z) * float(E[0]) * e * TURN_SLACK, LEAST)
-    C_0 = min(balls.as_fraction(balls.decimal(at.C, 4 - math.floor(math.log10(theta)))), Fraction(1))
+    C_0 = min(
+        balls.as_fraction(balls.decimal(at.C, 4 - math.floor(math.log10(theta)))), Fraction(1)
+    )
     return Bounds(
         bodies, G_new, (w_0, w_1), MOST, C_0, above(theta), (fall[0], fall[1]), least,
         (E[0], E[1]), z,
@@ -168,7 +169,7 @@ def bounds_of(bodies: Bodies, at: Sizes, widest: Fraction, before: Bounds | None
 
 
 def search(bodies: Bodies, start: Start, unit: Fraction) -> tuple[Bounds, Stair] | None:
-    """A stair that probably begins above a state; speeds are in this unit."""
+    """A stair that probably begins above a state, with bounds that decay; speeds are in this unit."""
     size = balls.exact(unit)
     speeds = [balls.as_float(balls.any_root(x) / size) for x in (start.A, start.B)]
     reach = (1 + start.d) * start.y
@@ -183,7 +184,7 @@ def search(bodies: Bodies, start: Start, unit: Fraction) -> tuple[Bounds, Stair]
     q = above(max(at.q, LEAST) * SLACK)
     for _ in range(ROUNDS):
         bounds = bounds_of(bodies, at, min(widest, MOST), bounds)
-        if bounds is None or bounds.C_0 - bounds.Theta <= max(0, bodies.least_cosine):
+        if bounds is None or bounds.C_0 - bounds.Theta <= max(Fraction(0), bodies.least_cosine):
             return None
         faster = zeta * (float(bounds.w[0]) / speeds[0]) ** 2 * SLACK
         if faster >= 1:
@@ -217,7 +218,7 @@ def find_three_balls(bodies: Bodies, start: Start, time: Number) -> Collapse | N
         return None
     bounds, stair = found
     numbers = numbers_of(bounds, stair, unit)
-    if not (closes(bounds, stair) and decays(bounds) and holds_at(numbers, start)):
+    if not (closes(bounds, stair) and holds_at(numbers, start)):
         return None
     later = numbers["E_0"] * start.y
     return Collapse(numbers, start, (time, time + later), stair.points)
@@ -246,7 +247,7 @@ def decays(x: Bounds) -> bool:
     """True only if the bounds without the state satisfy what the theorem asks of them."""
     G, Y, k, E, r = x.G, x.Y, x.k, x.E, x.bodies.r
     pairs = ((0, 1), (1, 0))
-    return (
+    return bool(
         G >= 1
         and min(Y) > 0
         and min(k) >= 0
@@ -257,7 +258,7 @@ def decays(x: Bounds) -> bool:
         and all(G**2 * x.bodies.share(i) <= G * Y[i] + k[i] for i, _ in pairs)
         and all(k[j] * Y[i] <= r[i] * (1 - x.U_b) for i, j in pairs)
         and all(G * x.U_b <= x.w[i] ** 2 * (E[i] - Y[i] * E[j]) for i, j in pairs)
-        and max(0, x.bodies.least_cosine) < x.C_0 - x.Theta
+        and max(Fraction(0), x.bodies.least_cosine) < x.C_0 - x.Theta
         and x.C_0 <= 1
     )
 

@@ -347,7 +347,7 @@ def test_an_induction() -> None:
         ('"1 + sqrt(2)"', '"sum(1/k, k, 0, 2)"', "divides by zero"),
         ('"1 + sqrt(2)"', '"sum(k 2, k, 1, 2)"', "'2' follows, and does not belong there"),
         ('"1 + sqrt(2)"', '"1 # 2"', "cannot read '# 2'"),
-        ('"1 + sqrt(2)"', '"2,50"', "',' follows, and does not belong there; write a point: 2.50"),
+        ('"1 + sqrt(2)"', '"2,50"', "',' follows, and does not belong there; write 2.50"),
         ('"y < d"', '"y =< d"', "'<' follows, where a number or a name is missing; write <="),
         ('"y < d"', '"y => d"', "'>' follows, where a number or a name is missing; write >="),
         ('"1 + sqrt(2)"', '"int(k^2, k, 0, 1)"', "'int' is no function; did you mean"),
@@ -393,6 +393,68 @@ def test_what_is_said_of_a_mistake(old: str, new: str, says: str) -> None:
     assert message.startswith("page.toml")
     assert says in message
     assert "\n" not in message
+
+
+@pytest.mark.parametrize(
+    ("claim", "says"),
+    [
+        ("x(1) < 2", "write x*(...)"),
+        ("1_000 < x", "write 1000"),
+        ("1,000 < x", "write 1000, or 1.000 if the comma is a decimal comma"),
+        ("1 000 < x", "write 1000"),
+        ("1'000 < x", "write 1000"),
+        ("x < 1,5", "write 1.5"),
+        ("x < 1.2.3", "1.2.3 is no number"),
+        ("x < 1;", "leave it out"),
+        ("x < ∞", "leave a bound out that is infinite"),
+        ("x < oo", "leave a bound out that is infinite"),
+        ("x < 1 => y < 1", "write >=, or what is given under contexts"),
+        ("x < 1 ⇒ y < 1", "write what is given under contexts"),
+        ("x =< 1", "write <="),
+        ("x <> 1", "write !="),
+        ("x =! y", "write !="),
+        ("sqrt 2 < x", "write sqrt(2)"),
+        ("sin x < 1", "write sin(x)"),
+        ("sin²(x) < 1", "write sin(...)^2"),
+        ("cos^2(x) < 1", "write cos(...)^2"),
+        ("x in [0, 1]", "write 0 <= x <= 1"),
+        ("x ∈ [0, 1]", "write 0 <= x <= 1"),
+        ("x < 1e", "write 1e-3, or 1*e"),
+        ("2x < 1", "write 2*x"),
+        ("|x < 1", "where | is missing"),
+        ("pi() < 4", "it is a number; write pi"),
+        ("max(x) < 1", "max is of at least two terms"),
+        ("x! < 1", "write prod(k, k, 1, 5) for 5!"),
+        ("x < y && y < 1", "write and"),
+        ("x < y || y < 1", "write or"),
+        ("x mod 2 < 1", "there are no remainders"),
+        ("x < 50%", "write 1/2 for 50%"),
+        ("x < 90°", "write a*pi/180"),
+        ("½ < x", "write 1/2"),
+        ("∛x < 1", "write root(x, 3)"),
+        ("x ÷ y < 1", "write /"),
+        ("x – y < 1", "write -"),
+        ("x' < 1", "write for example x_next"),
+        ("floor(x) < 1", "write bounds"),
+        ("cot(x) < 1", "write 1/tan(x)"),
+        ("lg(x) < 1", "write log(x)/log(10)"),
+        ("SIN(x) < 1", "did you mean sin?"),
+        ("X < 1", "did you mean x?"),
+        ("Pi < 4", "did you mean pi?"),
+    ],
+)
+def test_what_is_said_of_a_slip_in_a_claim(claim: str, says: str) -> None:
+    page = f"title = 't'\n[contexts.c]\nvariables = ['x', 'y']\n[rows]\nr = \"{claim}\"\n"
+    with pytest.raises(InputError) as error:
+        read(page)
+    message = str(error.value)
+    assert "line 5: rows.r" in message
+    assert says in message
+
+
+@pytest.mark.parametrize("claim", ["x² ≤ 1", "x − 1 < 1", "2·x < 1", "x**2 < 1", "ln(x) < e^x"])
+def test_what_is_read_as_it_is_written(claim: str) -> None:
+    read(f"title = 't'\n[contexts.c]\nvariables = ['x']\n[rows]\nr = '{claim}'\n")
 
 
 def test_a_standing_given_needs_its_assumption() -> None:
@@ -601,7 +663,7 @@ def test_alternatives_among_givens_and_claims_are_decided() -> None:
                 '[rows]\na = {in = "c", claim = "w <= 2"}\n'
             ),
             "in a list",
-            "write a point",
+            "write 1.0",
         ),
     ],
 )

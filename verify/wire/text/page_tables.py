@@ -245,8 +245,8 @@ class Reader:
                 raise self.places.error(
                     keys,
                     f"no statement of the theorem {shown(theorem)} is in the folder cited beside "
-                    f"this file, which has {known}; put its statement.json there, as "
-                    "cited/NAME.json, and its certificate as cited/NAME.certificate.json",
+                    f"this file, which has {known}; write its certificate there, as in "
+                    f"verify prove ITS_PAGE --out cited/{name}",
                 )
             cite = found._replace(name=name)
             self._names_of(cite)

@@ -455,7 +455,8 @@ class Lines:
         by = table.get("by")
         if "false_at" in table:
             place = [*keys, "false_at"]
-            return ByWitness(self._values(place, table["false_at"], home or "", None))
+            around = self.page.contexts[home].parent if home in self.page.contexts else None
+            return ByWitness(self._values(place, table["false_at"], home or "", around))
         if isinstance(claim, Applies):
             return ToBeFound() if by is None else ByApplying(self._names([*keys, "by"], by))
         if isinstance(claim, Always):

@@ -680,7 +680,8 @@ class _Reader:
     def _vector(self) -> Combination:
         """A combination of vectors, up to the comma or the parenthesis after it."""
         inside = _Reader(self.where, "", self.names.of_vectors())
-        inside.tokens, inside.at, inside.indices = self.tokens, self.at, self.indices
+        inside.text, inside.indices = self.text, self.indices
+        inside.tokens, inside.at = self.tokens, self.at
         term = inside.number(inside.sum())
         self.at = inside.at
         return self._combined(term)
@@ -729,7 +730,7 @@ class _Reader:
             self.terms_left -= 1
             if self.terms_left < 0:
                 raise self.error(f"it has more than {MAX_TERMS} terms; split it, or name its parts")
-            self._spend(comma - start)
+            self._spend(3 * (comma - start))
             self.at, self.indices[letter] = start, as_term(number)
             terms.append(self.number(self.sum()))
             if self.at != comma:

@@ -67,6 +67,8 @@ CITE = ("theorem", "statement_sha256")
 #: A function and its parameters, as ``Q(x, r)``.
 _WORD = r"[A-Za-z][A-Za-z0-9_]*"
 CALL = re.compile(rf"({_WORD})\(\s*({_WORD}(?:\s*,\s*{_WORD})*)\s*\)", re.ASCII)
+#: So many rows are in a page, and names of rows, lemmas, givens and all else.
+MAX_ROWS, MAX_NAMES = 4000, 20_000
 #: What is a name in files.
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,99}", re.ASCII)
 
@@ -124,6 +126,8 @@ class Reader:
         self.plain(keys, name)
         if name in self.taken:
             raise self.places.error(keys, f"{shown(name)} {self.taken[name]}; choose another name")
+        if len(self.taken) >= MAX_NAMES:
+            raise self.places.error(keys, f"the page has more than {MAX_NAMES} names; split it")
         self.taken[name] = f"is already the name of {'.'.join(keys[:-1]) or 'something'}.{name}"
         return name
 
@@ -538,7 +542,8 @@ class Reader:
         says = self.text([*keys, "says"], table.get("says", found.context.says), "a sentence")
         self.contexts |= {name: found.context._replace(says=says), whole: found.range}
         for row in found.rows:
-            self.rows[self.name(keys, row.name)] = row
+            self.name(keys, row.name)
+            self.add(keys, row)
         self.floats[variable.name] = estimate(found.context.point[variable.name], {})
 
     def around(
@@ -701,8 +706,14 @@ class Reader:
         fields = self.fields(keys, table)
         for new, claim in zip(_numbered(name, len(claims)), claims, strict=True):
             self.name(keys, new)
-            self.rows[new] = Obligation(name=new, claim=claim, context=home, **fields)
+            self.add(keys, Obligation(name=new, claim=claim, context=home, **fields))
             self._hint(keys, new, table)
+
+    def add(self, keys: Sequence[str], row: Obligation) -> None:
+        """A row of the statement, in which there are not too many."""
+        if len(self.rows) >= MAX_ROWS:
+            raise self.places.error(keys, f"the page has more than {MAX_ROWS} rows; split it")
+        self.rows[row.name] = row
 
     def _hint(self, keys: Sequence[str], row: str, table: Mapping[str, Any]) -> None:
         texts = self.texts([*keys, "by"], table.get("by", []))

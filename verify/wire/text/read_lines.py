@@ -350,7 +350,7 @@ class Lines:
             said, home = self._said_in(home, name, said), None
         fields = self.page.fields(keys, said)
         line = line._replace(label=fields["label"], says=fields["says"], uses=fields["uses"])
-        self.page.rows[name] = Obligation(name=name, claim=claim, context=home, **fields)
+        self.page.add(keys, Obligation(name=name, claim=claim, context=home, **fields))
         self._known(line, home)
         return line
 

@@ -89,6 +89,7 @@ THEOREMS = (
     Theorem("sharper", "sharper", collapse.decide_sharper),
     Theorem("sandwich", "sandwich", collapse.decide_sandwich),
     Theorem("outside", "outside", collapse.decide_outside),
+    Theorem("three-balls", "three-balls", collapse.decide_three_balls),
     Theorem("flow", "flow", scene.decide_flow),
     Theorem("line", "line", scene.decide_line),
     Theorem("separatrix", "separatrix", separatrix.decide_separatrix),

@@ -19,7 +19,7 @@ from verify.prover.decimals import enclosing_decimals, round_decimal
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import ConstantStep, ObligationStep, Premise, Proof, Step
 from verify.prover.rules import Applying, Interval, Sum
-from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER
+from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, THREE_BALLS
 from verify.spheres.flow.contexts import FLOW
 from verify.spheres.flow.follow import COLLIDE, DRIFT
 from verify.spheres.scene.assumptions import ASSUMPTIONS
@@ -61,6 +61,7 @@ PAGES = {
     LINE: "line",
     SANDWICH: "sandwich_below",
     SHARPER: "sharper",
+    THREE_BALLS: "three_balls",
 }
 
 

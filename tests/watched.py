@@ -419,7 +419,9 @@ said(
     P,
     "Y = (1+r)Γ/2 and k = 0",
     by=coded(
-        "Y=(1+r)Γ/2 k=0", "tests/paper/three_balls/equal.toml", "Y_0 = Lambda, Y_1 = Lambda, k_0 = 0"
+        "Y=(1+r)Γ/2 k=0",
+        "tests/paper/three_balls/equal.toml",
+        "Y_0 = Lambda, Y_1 = Lambda, k_0 = 0",
     ),
 )
 
@@ -589,7 +591,9 @@ said(
     by=coded("15 %", SMALL, "15 % of the") + coded(" r=4/5", SMALL, 'r = "4/5"'),
 )
 said(
-    P, "of their mass at r = 3/10", by=coded("r=3/10", "certificates/scenes/bead.toml", 'r = "3/10"')
+    P,
+    "of their mass at r = 3/10",
+    by=coded("r=3/10", "certificates/scenes/bead.toml", 'r = "3/10"'),
 )
 LIGHT = "certificates/scenes/light-bead.toml"
 said(P, "a thousandth at r = 9/10", by=coded("r=9/10", LIGHT, 'r = "9/10"'))

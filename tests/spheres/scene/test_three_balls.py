@@ -2,17 +2,29 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
+from collections.abc import Callable
 from fractions import Fraction
+from functools import cache
+from hashlib import sha256
 from random import Random
+from typing import Any
 
 import pytest
 
 from tests.spheres.scene.agreement import contradictions
-from verify.spheres.flow.collapse import THREE_BALLS
-from verify.spheres.scene.decide import COLLAPSES, UNDECIDED, Budget, Fate, decide_scene
+from verify import check
+from verify.language.statement import PROVED
+from verify.paper.commands.scene import scene_outcome
+from verify.prover.outcome import Outcome
+from verify.spheres.flow.collapse import LINE, THREE_BALLS
+from verify.spheres.flow.contexts import FLOW_OF_BALLS
+from verify.spheres.scene.decide import COLLAPSES, DISPERSES, UNDECIDED, Budget, Fate, decide_scene
 from verify.spheres.scene.scene import PAIRS, Bodies, Scene, coordinates
 from verify.spheres.scene.verdict import central, told
+from verify.wire.judge import judged
+from verify.wire.write import write
 
 ONE = Fraction(1)
 #: What a simulation keeps, and how many collisions are followed.
@@ -38,7 +50,7 @@ def bead(r: str, masses: tuple[Fraction, ...], radii: tuple[Fraction, ...]) -> S
 def test_a_bead_between_two_heavy_balls(name: str) -> None:
     found = decide_scene(bead(*BEADS[name]))
     assert (found.verdict, found.name, central(found)) == (COLLAPSES, THREE_BALLS, 1)
-    assert told(found).theorems == [THREE_BALLS]
+    assert told(found).theorems == [FLOW_OF_BALLS, THREE_BALLS]
     assert contradictions(found, DIGITS) == []
 
 
@@ -92,3 +104,83 @@ def test_random_scenes_nearly_in_line(part: int) -> None:
 
 def _wrong(found: Fate) -> list[str]:
     return contradictions(found, DIGITS)
+
+
+# --- certificates --------------------------------------------------------------------------------
+
+
+def report(outcome: Outcome, change: Callable[[Any], None] = lambda _: None) -> check.Report:
+    """What the checker says of a certificate, after a change of its statement."""
+    files = write(outcome)
+    statement = json.loads(files["statement.json"])
+    certificate = json.loads(files["certificate.json"])
+    change(statement)
+    content = json.dumps(statement).encode()
+    certificate["statement_sha256"] = sha256(content).hexdigest()
+    cited = [text for name, text in files.items() if name.startswith("cited/")]
+    statements = {sha256(text).hexdigest(): text for text in cited}
+    return check.check(content, json.dumps(certificate).encode(), statements)
+
+
+@cache
+def certified() -> Outcome:
+    """The certificate of a bead."""
+    found = decide_scene(bead(*BEADS["light, r = 0.3"]))
+    return scene_outcome(found, found.flow.bits)
+
+
+def is_refused(change: Callable[[Any], None]) -> bool:
+    """Whether the checker refuses it after a change."""
+    return any(line.startswith("REFUSED") for line in report(certified(), change).lines)
+
+
+def test_a_certificate_is_accepted() -> None:
+    assert not is_refused(lambda _: None)
+    assert certified().statement.cites[1].name == THREE_BALLS
+
+
+@pytest.mark.parametrize(
+    "number",
+    ["E_0", "w_0", "w_1", "Y_0", "k_1", "z_b", "Q_0", "U_0", "Theta", "beta_0", "sigma_12", "m_1"],
+)
+@pytest.mark.parametrize("factor", ["1/3", "3"])
+def test_a_changed_number_is_refused_in_one_direction(number: str, factor: str) -> None:
+    """An upper bound that is too low, a lower one that is too high; of an equation either."""
+
+    def change(statement: Any) -> None:
+        (row,) = (row for row in statement["obligations"] if row["name"] == "collapse")
+        values = row["claim"][2]
+        values[number] = ["mul", values[number], factor]
+
+    higher = number in {"k_1", "beta_0", "sigma_12", "m_1"}
+    if number in {"beta_0", "m_1"} or (factor == "3") == higher:
+        assert is_refused(change)
+
+
+@pytest.mark.parametrize("name", ["m.0", "m.1", "m.2", "R.0", "R.1", "R.2", "r"])
+def test_another_ball_is_refused(name: str) -> None:
+    """The numbers belong to these masses, radii and r."""
+
+    def change(statement: Any) -> None:
+        statement["parameters"][name] = ["mul", statement["parameters"][name], "101/100"]
+
+    assert is_refused(change)
+
+
+def test_random_certificates_are_accepted() -> None:
+    kinds = Counter[str]()
+    for scene in scenes(9, 24):
+        found = decide_scene(scene, FEW)
+        if found.verdict in (COLLAPSES, DISPERSES):
+            assert judged(scene_outcome(found, found.flow.bits)).verdict == PROVED
+            kinds[found.name] += 1
+    assert min(kinds[THREE_BALLS], kinds["apart"]) >= 3
+
+
+def test_a_line_of_different_balls_has_a_certificate() -> None:
+    masses, radii = (ONE, Fraction(1, 5), Fraction(3)), (ONE, Fraction(1, 2), Fraction(2))
+    places = tuple((Fraction(x),) for x in (-2, 0, 3))
+    speeds = tuple((Fraction(v),) for v in (1, 0, -1))
+    found = decide_scene(Scene(Fraction(1, 20), places, speeds, bodies=Bodies(masses, radii)))
+    assert (found.verdict, found.name) == (COLLAPSES, LINE)
+    assert judged(scene_outcome(found, found.flow.bits)).verdict == PROVED

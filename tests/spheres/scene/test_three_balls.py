@@ -139,22 +139,22 @@ def test_a_certificate_is_accepted() -> None:
     assert certified().statement.cites[1].name == THREE_BALLS
 
 
-@pytest.mark.parametrize(
-    "number",
-    ["E_0", "w_0", "w_1", "Y_0", "k_1", "z_b", "Q_0", "U_0", "Theta", "beta_0", "sigma_12", "m_1"],
-)
-@pytest.mark.parametrize("factor", ["1/3", "3"])
-def test_a_changed_number_is_refused_in_one_direction(number: str, factor: str) -> None:
-    """An upper bound that is too low, a lower one that is too high; of an equation either."""
+#: Upper bounds, which may not be lower; and numbers of the balls and lower bounds, which may not be
+#: higher.
+LOWERED = ("E_0", "w_0", "w_1", "Y_0", "z_b", "Q_0", "U_0", "Theta", "beta_0", "m_1")
+RAISED = ("k_1", "beta_0", "sigma_12", "m_1")
 
+
+@pytest.mark.parametrize(
+    ("number", "factor"), [*((n, "1/3") for n in LOWERED), *((n, "3") for n in RAISED)]
+)
+def test_a_changed_number_is_refused(number: str, factor: str) -> None:
     def change(statement: Any) -> None:
         (row,) = (row for row in statement["obligations"] if row["name"] == "collapse")
         values = row["claim"][2]
         values[number] = ["mul", values[number], factor]
 
-    higher = number in {"k_1", "beta_0", "sigma_12", "m_1"}
-    if number in {"beta_0", "m_1"} or (factor == "3") == higher:
-        assert is_refused(change)
+    assert is_refused(change)
 
 
 @pytest.mark.parametrize("name", ["m.0", "m.1", "m.2", "R.0", "R.1", "R.2", "r"])
@@ -179,7 +179,7 @@ def test_random_certificates_are_accepted() -> None:
 
 def test_a_line_of_different_balls_has_a_certificate() -> None:
     masses, radii = (ONE, Fraction(1, 5), Fraction(3)), (ONE, Fraction(1, 2), Fraction(2))
-    places = tuple((Fraction(x),) for x in (-2, 0, 3))
+    places = tuple((Fraction(x),) for x in (-2, 0, 4))
     speeds = tuple((Fraction(v),) for v in (1, 0, -1))
     found = decide_scene(Scene(Fraction(1, 20), places, speeds, bodies=Bodies(masses, radii)))
     assert (found.verdict, found.name) == (COLLAPSES, LINE)

@@ -456,7 +456,9 @@ class Telling:
             (o, s, c), (to_c, to_s) = self.frame, self._contacts()
             numbers |= {"y": unit.closing * to_c, "eta": unit.parting * to_s}
             numbers |= {
-                name: (1 + r) * self.mass(i) / (self.mass(o) + self.mass(i))
+                name: self._size(
+                    "b", f"{o}{i}", (1 + r) * self.mass(i) / (self.mass(o) + self.mass(i))
+                )
                 for name, i in (("b", c), ("b_s", s))
             }
         self._applies(LINE_START, _of("start", numbers), "scene-on-a-line")

@@ -247,20 +247,23 @@ def sharper_givens() -> str:
 
 def believed_and_proved() -> str:
     """For what one runs: who judges, what is believed, and what Coq proves of that."""
-    accepted = {item["folder"] for item in in_coq()["certificates"]}
+    accepted = {item["folder"]: item for item in in_coq()["certificates"]}
     rows = []
     for name, (folder, judge) in RUNS.items():
         folders = [folder] if folder else [*GIVEN]
         found: dict[str, bool] = {}
         for text, proved in (pair for one in folders for pair in sentences_of(one)):
             found[text] = found.get(text, True) and proved
-        checked = {f"certificates/{one}" for one in folders} <= accepted
+        checked = {f"certificates/{one}" for one in folders} <= accepted.keys()
         answer = ("yes" if folder else "the theorems, not the log") if checked else "no"
-        rows.append([
-            name, judge, answer,
-            ", ".join(text for text, proved in found.items() if proved and "(" not in text) or "–",
-            ", ".join(text for text, proved in found.items() if not proved or "(" in text) or "–",
-        ])  # fmt: skip
+        proofs = [text for text, proved in found.items() if proved and "(" not in text]
+        believed = [text for text in found if text not in proofs]
+        # A theorem about the very particles of a scene rests on no sentence.
+        theorem = accepted.get(f"certificates/{folder}", {}).get("theorem")
+        if theorem and any("(" not in text for text in believed):
+            proofs = [f"none is needed where Coq has a theorem, as it has for `{folder}`"]
+            believed = [f"that `{theorem}` says what is meant (definition)"]
+        rows.append([name, judge, answer, ", ".join(proofs) or "–", ", ".join(believed) or "–"])
     head = ("What you run", "Judge", "Accepted by Coq", "Sentences proved in Coq", "Believed")
     return table(head, rows)
 

@@ -24,10 +24,15 @@ from mpmath import mp, mpf
 
 from docs.generated import document, figures, point, sentences_of
 from tests.prose import CERTIFICATES, CHUNK, ROOT, WATCHED, plain
+from verify.language.statement import Obligation
+from verify.language.terms import Claim
 from verify.paper.commands.theorem1 import decide_point
+from verify.paper.source import printed_numbers
 from verify.prover.decimals import short
 from verify.views import words
 from verify.views.point import final_angle
+from verify.wire.inputs import InputError
+from verify.wire.text.read_page import read_page
 
 Samples = Callable[[random.Random], Mapping[str, Any]]
 
@@ -53,11 +58,22 @@ def said(page: str, template: str, *values: object, by: str = "") -> None:
     """
     known = plain(by)
     for match in CHUNK.finditer(template.replace("{}", " | ")):
-        own = plain(match[0]).strip(",.;:*=+<≤%")
+        own = plain(match[0]).strip(",.;:*=+<≤>≥%")
         if WATCHED.search(own) and own not in known:
             raise ValueError(f"{template!r}: nothing says {own!r}")
     parts, gaps = template.split("{}"), [*map(str, values), ""]
     ENTRIES.append(Said(page, "".join(a + b for a, b in zip(parts, gaps, strict=True))))
+
+
+def so(page: str, text: str, *facts: object) -> None:
+    """Watch a text that is so because of facts, each of them true.
+
+    Raises:
+        ValueError: if one is not.
+    """
+    if not (facts and all(facts)):
+        raise ValueError(f"{text!r} is not so")
+    said(page, text, by=text)
 
 
 # --- formulas that are computed -------------------------------------------------------------------
@@ -150,6 +166,60 @@ def sides(name: str, digits: int = 3) -> list[str]:
     )
     ends = (tuple(map(Fraction, found[side])) for side in ("lhs", "rhs"))
     return [short(pair, digits).rstrip("…") for pair in ends]
+
+
+def has(path: str, *codes: str) -> bool:
+    """Whether a file of the project says all of this, spaces apart."""
+    text = " ".join(file(path).split())
+    return all(" ".join(code.split()) in text for code in codes)
+
+
+def number(label: str) -> str:
+    """The printed number of a label of the paper."""
+    return printed_numbers()[label]
+
+
+def obligations(*claims: str) -> list[Obligation]:
+    """The rows of a page with these claims about numbers of which x is positive."""
+    rows = "".join(
+        f"r{i or ''} = {{ claim = '{text}', in = 'all' }}\n" for i, text in enumerate(claims)
+    )
+    page = (
+        "title = 't'\n[contexts.all]\nvariables = 'a b c d t x y delta_1'\n"
+        f"given = ['0 < x']\n[rows]\n{rows}"
+    )
+    return list(read_page("t.toml", page.encode()).statement.obligations)
+
+
+def names_of_rows(claim: str) -> list[str]:
+    """The names of the rows that a page makes of the claim of a row `r`."""
+    return [row.name for row in obligations(claim)]
+
+
+def givens(claim: str) -> list[Claim]:
+    """What is given where a claim is."""
+    page = (
+        f"title = 't'\n[contexts.all]\nvariables = 'b t'\ngiven = ['{claim}']\n"
+        "rows = { r = 't < b' }\n"
+    )
+    (context,) = read_page("t.toml", page.encode()).statement.contexts
+    return [given.claim for given in context.givens]
+
+
+@cache
+def alike(*texts: str) -> bool:
+    """Whether a page reads all these terms, or claims, as the same one."""
+    claims = [text if re.search(r"[<>=≠≤≥]", text) else f"0 <= {text}" for text in texts]
+    return len({row.claim for row in obligations(*claims)}) == 1
+
+
+@cache
+def refuses(text: str) -> bool:
+    """Whether a page refuses a formula."""
+    try:
+        return not alike(text)
+    except InputError:
+        return True
 
 
 @cache
@@ -258,7 +328,7 @@ def digits_of(ends: list[str], count: int) -> str:
 def half(draw: random.Random) -> Mapping[str, Any]:
     """The tangent of half an angle, and the cosine."""
     a = mpf(draw.uniform(0, 3))
-    return {"t": mp.tan(a / 2), "C": mp.cos(a)}
+    return {"t": mp.tan(a / 2), "C": mp.cos(a), "S": mp.sin(a)}
 
 
 def admissible(draw: random.Random) -> Mapping[str, Any]:

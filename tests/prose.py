@@ -1,12 +1,13 @@
 """Numbers and formulas in README.md and docs/: what is seen of them, and what proves each.
 
 A page is read without its blocks of code, which are run, and without what the program writes into
-it. Each digit, power and root that is left has to lie in a span that something covers:
+it. Each digit, power, root and sign that is left has to lie in a span that something covers:
 
 * a formula that stands word for word in what the program writes of a committed certificate, or in a
   block of the same page, which is run and compared;
 * an equation between numbers, which is computed;
-* a label of the paper, or the version of a program, that exists;
+* code in a line that is a path, a name, a command or an option that exists, or stands in a block of
+  the same page;
 * an entry of `tests.watched`: words with the numbers of the program in their gaps.
 
 Whatever is left over is `unwatched`.
@@ -21,21 +22,26 @@ from functools import cache
 from mpmath import mpf, sqrt, workdps
 
 from tests.readme_commands import ROOT
-from verify.paper.source import PAPER, printed_numbers
+from verify.paper.source import PAPER
 from verify.views import all_parameters, classification
 
 CERTIFICATES = ROOT / "certificates"
 
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 
-#: What has to be covered: digits, powers and roots. Digits below the line belong to letters.
-WATCHED = re.compile(r"[\d⁰¹²³⁴⁵⁶⁷⁸⁹√]")
+#: What has to be covered: digits, powers, roots and signs. Digits below the line belong to letters,
+#: and a hyphen is no sign.
+WATCHED = re.compile(
+    r"[\d⁰¹²³⁴⁵⁶⁷⁸⁹√<>≤≥≠+→↦]|(?<![^\s(/`|\[\"])-(?=[\s\w(√|])|(?<=\w)-(?=\d)|(?<=\d)-(?=\w)"
+)
 _CODE = re.compile(r"^ *(```+)(?!\{glossary|\{note)[^\n]*\n.*?^ *\1[ ]*$", re.MULTILINE | re.DOTALL)
 _GENERATED = re.compile(r"<!--.*?-->|\{\{.*?\}\}", re.DOTALL)
-_INLINE = re.compile(
-    r"`[^`\n]*\n?[^`\n]*`|<code>.*?</code>|\]\([^)\s]*\)|https?://[^\s)]+|^(?::::|''')[^\n]*",
+#: Addresses, references, marks of quoted lines and places: what the tests of links see.
+_MARKUP = re.compile(
+    r"\{\w+\}`[^`]*`|\]\([^)\s]*\)|https?://[^\s)]+|^(?::::|''')[^\n]*|^(?:> )+|^\(\w+\)=$",
     re.MULTILINE,
 )
+_INLINE = re.compile(r"`` .*? ``|`[^`\n]*\n?[^`\n]*`|<code>.*?</code>")
 _BETWEEN = re.compile(r'[\s,;:()"]+')
 #: Words of which a formula is made; a sentence or a cell ends it.
 _WORD = (
@@ -50,9 +56,10 @@ def blank(match: re.Match[str]) -> str:
     return re.sub(r"[^\n]", " ", match[0])
 
 
+@cache
 def prose(text: str) -> str:
-    """A page without blocks of code, code in a line, addresses, and what is generated."""
-    for pattern in (_CODE, _GENERATED, _INLINE):
+    """A page without blocks of code, addresses, and what is generated."""
+    for pattern in (_CODE, _GENERATED, _MARKUP):
         text = pattern.sub(blank, text)
     return text
 
@@ -63,16 +70,22 @@ def plain(text: str) -> str:
 
 
 @cache
+def reports() -> str:
+    """The reports of the committed certificates."""
+    found = sorted(CERTIFICATES.rglob("report.md"))
+    return "\n".join(path.read_text(encoding="utf-8") for path in found)
+
+
+@cache
 def written() -> str:
     """What the program writes of the committed certificates, and says of its theorems."""
-    reports = [path.read_text("utf-8") for path in sorted(CERTIFICATES.rglob("report.md"))]
     said = [
         *classification.THEOREMS,
         all_parameters.CLAIM,
         *(text for _, text in PAPER.notes().causes),
     ]
     said += [change.needed for change in PAPER.notes().changes]
-    return re.sub(r"[\\`*·]", "", "\n".join([*reports, *said]))
+    return re.sub(r"[\\`*·]", "", "\n".join([reports(), *said]))
 
 
 @cache
@@ -106,9 +119,14 @@ _ENDS = re.compile(r"[\w⁰-⁹¹²³]")
 
 
 def blocks(text: str) -> str:
-    """What stands in the blocks of a page, as words between spaces."""
-    found = " ".join(match[0] for match in _CODE.finditer(text))
-    return f" {' '.join(re.split(_BETWEEN, found))} "
+    """What stands in the blocks of a page, in one line."""
+    return " ".join(" ".join(match[0] for match in _CODE.finditer(text)).split())
+
+
+@cache
+def apart(blocks: str) -> str:
+    """The same as words between spaces."""
+    return f" {' '.join(re.split(_BETWEEN, blocks))} "
 
 
 # --- rules ----------------------------------------------------------------------------------------
@@ -174,33 +192,13 @@ def value(text: str) -> tuple[mpf, mpf]:
         return eval(python, {"mpf": mpf, "sqrt": sqrt}), more
 
 
-def shown(page: str, text: str) -> Iterator[Span]:
+def shown(blocks: str, text: str) -> Iterator[Span]:
     """Numbers of three digits and more that a block of the page shows, or is given."""
-    known = blocks(page)
+    known = apart(blocks)
     for match in re.finditer(r"[^\s|*]*\d[^\s|*]*", text):
         word = match[0].strip(',.;:()[]"*?')
         if len(re.findall(r"\d", word)) >= 3 and f" {word} " in known:
             yield match.span()
-
-
-def labels(text: str) -> Iterator[Span]:
-    """Labels of the paper that exist: (4.10), Theorem 1, Section 4.2, Cnd7."""
-    numbers = set(printed_numbers().values())
-    numbers |= {f"Section {number[1]}" for number in numbers if number.startswith("(")} | {
-        "Section 1"
-    }
-    for match in re.finditer(r"\(\d\.\d+\)", text):
-        if match[0] in numbers:
-            yield match.span()
-    kinds = "Theorem|Proposition|Definition|Lemma|Remark|Section"
-    for match in re.finditer(
-        rf"\b({kinds})s?\s+(\d(?:\.\d)?(?:(?:,| and| to)\s+\d(?:\.\d)?)*)", text
-    ):
-        parts = re.findall(r"\d(?:\.\d)?", match[2])
-        if all(f"{match[1]} {part}" in numbers for part in parts):
-            yield match.span()
-    for match in re.finditer(r"\bCnd(10|[1-9])\b", text):
-        yield match.span()
 
 
 #: The particles of the paper are 0, 1 and 2, and a bound or a limit that is 0 is not measured.
@@ -208,8 +206,9 @@ _SAYINGS = (
     r"\bparticles 0 and 1\b|\b0-1 and 0-2\b|\b0-2, 0-1, 0-2\b|\b02, 01, 02\b|\bthat of 1\b",
     r"(?<!and[ \n])(?<!,[ \n])\b(?:0-[12]|1-2)\b(?! and [012]-|, [012]-)|\b1 and 2\b",
     r"(?<!between[ \n])\b0 and [12c]\b|\bbetween 0 and [c1]\b|\]0, ?1[\]\[]|SMT-LIB 2\b",
+    r"(?<![^\s(|])-(?:cos|η_c)\b",
     r"\b(?:[Pp]articles?|balls?|spheres?|at|of|from|where|measure|momentum) 0\b(?!\.?\d)",
-    r"\b(?:tends?|falls?|up) to 0\b|\breaches 0\b|[<>≥≤=→≠] 0\b(?!\.\d)|\b0 <",
+    r"\b(?:tends?|falls?|up) to 0\b|\breaches 0\b",
     r"\b(?:is|not|be|by|least|divides|are) 0\b|Velázquez \[1\],",
     r"\b(?:above|below|exceeds?|than|most|exceed) 1\b(?!\.\d)",
 )
@@ -231,21 +230,105 @@ def idioms(text: str) -> Iterator[Span]:
     yield from (match.span() for match in IDIOMS.finditer(text))
 
 
-def covered(page: str, text: str) -> Iterator[Span]:
-    """What the rules of this file cover."""
-    for rule in (formulas, equations, labels, marks, idioms):
-        yield from rule(text)
-    yield from shown(page, text)
+@cache
+def words() -> frozenset[str]:
+    """Names with digits in the sources: rows, labels, constants, what Coq defines."""
+    paths = [
+        path for kind in ("py", "toml", "v", "md") for path in (ROOT / "verify").rglob(f"*.{kind}")
+    ]
+    text = "\n".join(
+        path.read_text(encoding="utf-8") for path in [*paths, ROOT / "tests/points.py"]
+    )
+    return frozenset(re.findall(r"(?=[\w.-]*\d)[^\W\d][\w.-]*\w", text))
 
 
-def unwatched(page: str, spans: list[Span]) -> list[tuple[int, str]]:
+_LABEL = re.compile(r"[A-Z]{5}SS\d\.\d\w+")
+
+
+@cache
+def labelled() -> frozenset[tuple[str, str]]:
+    """The rows of the committed reports with their labels in the paper's source."""
+    return frozenset(
+        re.findall(r"^\| [^|]* \| `([^`|]+)` \| [^|]*`(\w+SS[^`|]+)`", reports(), re.MULTILINE)
+    )
+
+
+def exists(path: str) -> bool:
+    """Whether a text is a path, from here or from a folder of which the pages speak."""
+    folders = ("", "verify/paper", "verify/coq", "certificates")
+    return any((ROOT / folder / path).exists() for folder in folders)
+
+
+@cache
+def of_commands() -> frozenset[str]:
+    """The words of commands: in the blocks of all pages, and in what the commands tell of them."""
+    tools = ("tests/golden/__main__.py", "tests/mutation.py", "tests/measure/techniques.py")
+    paths = [*(ROOT / "verify/cli").glob("*.py"), *(ROOT / tool for tool in tools)]
+    sources = [path.read_text(encoding="utf-8") for path in paths]
+    texts = [blocks(page.read_text(encoding="utf-8")) for page in PAGES]
+    return frozenset(re.split(r"[\s,;\"'`]+", " ".join([*sources, *texts])))
+
+
+def is_command(text: str) -> bool:
+    """Whether a text is a command or an option, all of whose words are known."""
+    first, *others = text.split()
+    starts = first in ("verify", "python", "theorem1", "pip") or first.startswith("--")
+    return starts and all(
+        word in of_commands()
+        or word in ("-m", "-O")
+        or exists(word)
+        or word in words()
+        or exists(word.replace(".", "/") + ".py")
+        or exists(word.replace(".", "/"))
+        for word in (first, *others)
+    )
+
+
+def code(blocks: str, text: str) -> Iterator[Span]:
+    """Code in a line that exists: a path, a name with digits, or what a block of the page has."""
+    for match in _INLINE.finditer(text):
+        inner = " ".join(match[0].strip("` ").split())
+        if not re.search(r"\w", inner):
+            continue
+        if _LABEL.fullmatch(inner):
+            line = text[text.rfind("\n", 0, match.start()) + 1 : text.find("\n", match.end())]
+            if any((name, inner) in labelled() for name in re.findall(r"`([^`]+)`", line)):
+                yield match.span()
+            continue
+        if is_command(inner):
+            yield match.span()
+        shown_there = rf"(?<![\w.-]){re.escape(inner)}(?![\w-]|\.\w)"
+        if inner in words() or exists(inner) or re.search(shown_there, blocks):
+            yield match.span()
+
+
+def paragraphs(text: str) -> Iterator[tuple[int, str]]:
+    """The parts of a page between empty lines, each with its place."""
+    place = 0
+    for part in re.split(r"(\n[ ]*\n)", text):
+        yield place, part
+        place += len(part)
+
+
+@cache
+def covered(shown_here: str, text: str) -> tuple[Span, ...]:
+    """What the rules of this file cover in a paragraph of a page with these blocks."""
+    rules = (formulas, equations, idioms)
+    own = [span for rule in rules for span in rule(text)]
+    return (*own, *shown(shown_here, text), *code(shown_here, text))
+
+
+def unwatched(text: str, spans: list[Span]) -> list[tuple[int, str]]:
     """The words with something to watch outside all spans, each with its line."""
-    text = prose(page)
     free = bytearray(b"\1" * len(text))
     for start, end in spans:
         free[start:end] = bytes(end - start)
-    return [
-        (text.count("\n", 0, word.start()) + 1, word[0])
-        for word in re.finditer(r"\S+", text)
-        if any(free[word.start() + found.start()] for found in WATCHED.finditer(word[0]))
-    ]
+    places = [found.start() for found in WATCHED.finditer(text) if free[found.start()]]
+    words = {
+        (
+            text.count("\n", 0, place) + 1,
+            re.split(r"\s", text[:place])[-1] + text[place:].split()[0],
+        )
+        for place in places
+    }
+    return sorted(words)

@@ -1,42 +1,18 @@
-"""Every number and formula in the prose of the pages is watched: see `tests.prose`."""
+"""Every number, sign and formula in the prose of the pages is watched: see `tests.prose`."""
 
 from __future__ import annotations
 
-import re
-from functools import cache
 from pathlib import Path
 
 import pytest
 
-from tests.facts import Said, said, true
-from tests.prose import PAGES, ROOT, WATCHED, covered, equations, idioms, labels, prose, unwatched
-from tests.watched import TEXTS
+from tests.changes import name_of, problems, unnoticed
+from tests.facts import said, so, true
+from tests.prose import PAGES, ROOT
+from tests.signs import TEXTS
 
-#: On pages other than README.md one change in so many is tried; all are with ``-m slow``.
-EVERY = 9
-
-UP = {**dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹", "¹²³⁴⁵⁶⁷⁸⁹⁰", strict=True)), "√": ""}
-
-
-def name_of(page: Path) -> str:
-    return page.relative_to(ROOT).as_posix()
-
-
-@cache
-def pattern(entry: Said) -> re.Pattern[str]:
-    return re.compile(r"\s+".join(map(re.escape, entry.text.split())))
-
-
-def problems(name: str, text: str) -> list[str]:
-    """What is not watched on a page, and what should stand on it and does not."""
-    seen = prose(text)
-    spans, missing = list(covered(text, seen)), []
-    for entry in TEXTS:
-        if entry.page in ("", name):
-            found = [match.span() for match in pattern(entry).finditer(seen)]
-            missing += [f"write: {entry.text}"] if entry.page and not found else []
-            spans += found
-    return missing + [f"line {line}: {word}" for line, word in unwatched(text, spans)]
+#: One change in so many is tried; all are with ``-m slow``. At most this share may pass.
+EVERY, PASSES = 23, 0.02
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name_of)
@@ -49,42 +25,16 @@ def test_entries_are_of_pages() -> None:
     assert {entry.page for entry in TEXTS} <= {"", *map(name_of, PAGES)}
 
 
-def changed(text: str, place: int) -> str:
-    """The page with one digit raised by 1, or one root left out."""
-    old = text[place]
-    return (
-        text[:place]
-        + UP.get(old, str((int(old) + 1) % 10) if old.isdecimal() else "")
-        + text[place + 1 :]
-    )
+def test_changes_are_noticed() -> None:
+    tried, found = unnoticed(EVERY)
+    assert tried > 150
+    assert len(found) <= PASSES * tried, found
 
 
-def excused(text: str, place: int) -> bool:
-    """Whether what was changed is a label that exists, another particle, or true: √2 < 4/2."""
-    spans = [span for rule in (labels, idioms, equations) for span in rule(prose(text))]
-    return any(start <= place < end for start, end in spans)
-
-
-def unnoticed(page: Path, every: int) -> list[str]:
-    """The changes of numbers on a page that nothing notices."""
-    text = page.read_text(encoding="utf-8")
-    places = [match.start() for match in WATCHED.finditer(prose(text))][::every]
-    texts = ((changed(text, place), place) for place in places)
-    return [
-        text[max(0, place - 20) : place + 10]
-        for other, place in texts
-        if not excused(other, place) and not problems(name_of(page), other)
-    ]
-
-
-@pytest.mark.parametrize("page", PAGES, ids=name_of)
-def test_a_change_is_noticed(page: Path) -> None:
-    assert not unnoticed(page, 1 if page.name == "README.md" else EVERY)
-
-
-@pytest.mark.parametrize("page", PAGES, ids=name_of)
-def test_each_change_is_noticed(page: Path) -> None:
-    assert not unnoticed(page, 1)
+def test_each_change_is_noticed() -> None:
+    tried, found = unnoticed(1)
+    assert tried > 4000
+    assert len(found) <= PASSES * tried, found
 
 
 @pytest.mark.parametrize(
@@ -113,6 +63,8 @@ def test_an_entry_proves_its_numbers() -> None:
         said("README.md", "at most 17 rows")
     with pytest.raises(ValueError, match="nothing says"):
         said("README.md", "x + 1/x ≥ 3", by=true("x + 1/x ≥ 2", lambda draw: {"x": draw.random()}))
+    with pytest.raises(ValueError, match="is not so"):
+        so("README.md", "at most 17 rows", len(TEXTS) == 17)
     with pytest.raises(ValueError, match="is false"):
         true("x + 1/x ≥ 3", lambda draw: {"x": 1})
     assert all("17 rows" not in entry.text for entry in TEXTS)

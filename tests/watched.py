@@ -756,7 +756,6 @@ said(
     "p + Y < 1 |",
     by=coded("p+Y<1", "verify/paper/sharper.toml", 'decay-positive = "0 < 1 - ratio"'),
 )
-said("docs/howto/cite.md", "> [2],", by="> [2]")
 said("docs/index.md", "at r = {},", R)
 said(
     "docs/reference/glossary.md",

@@ -78,13 +78,6 @@ VERDICTS = {
         Definition("DecodeFiles", "need (same of_ hash)", "need (same of_ of_)"),
         "a-digest-of-zeros",
     ),
-    "row-twice": (
-        Definition(
-            "DecodeSteps", "let! _ := once s in\n          let! _ := need match state",
-            "let! _ := need match state",
-        ),
-        "a-row-proved-twice",
-    ),
     "the-same": (Definition("DecodeFiles", "", ""), "examples/exponential"),
 }  # fmt: skip
 

@@ -78,6 +78,15 @@ FINITE = {
     "on-a-line": "", "spinning": "", "turning": "", "turning-later": "02",
     "receding-later": "01 02 21",
 }  # fmt: skip
+#: For the scenes of each kind, what Coq proves of them: the last word before their numbers.
+SCENES = {
+    "Runs.disperses": DISPERSING, "Runs.collapses_after": COLLAPSING,
+    "FiniteScenes.finite_after": FINITE,
+}  # fmt: skip
+#: The definition by which the theorem on three balls speaks that ends the file of a folder.
+SAYS = dict.fromkeys(("theorem1-r-3-100", "theorem1-theta-5pi-6"), "Theorem1.collapse") | {
+    f"scenes/{name}": word for word, names in SCENES.items() for name in names
+}
 #: Those whose certificates are made here; the others' are committed.
 OWN_SCENES = Path(__file__).with_name("scenes")
 #: The files of statements that are exported once more, after the flow, as `verify/coq/build` does.
@@ -94,29 +103,29 @@ def conjunction(prefix: str, sentences: Iterable[str] = SENTENCES) -> str:
 
 def dispersing(name: str) -> str:
     """What Coq proves of a scene, with its numbers as the file of the scene has them."""
-    return _about_scene(name, "Runs.disperses", DISPERSING[name], [])
+    return _about_scene(name, DISPERSING[name], [])
 
 
 def collapsing(name: str) -> str:
     """The same of a scene that collapses."""
     pairs, roles, bounds = COLLAPSING[name]
     more = [f"Theorem1.B{ball}" for ball in roles]
-    return _about_scene(name, "Runs.collapses_after", pairs, [*more, *map(_number, bounds.split())])
+    return _about_scene(name, pairs, [*more, *map(_number, bounds.split())])
 
 
 def finite(name: str) -> str:
     """The same of a scene with finitely many collisions."""
-    return _about_scene(name, "FiniteScenes.finite_after", FINITE[name], [])
+    return _about_scene(name, FINITE[name], [])
 
 
-def _about_scene(name: str, kind: str, collisions: str, more: list[str]) -> str:
+def _about_scene(name: str, collisions: str, more: list[str]) -> str:
     scene = tomllib.loads(scene_file(name).read_text(encoding="utf-8"))
     pairs = [(f"Theorem1.B{i}", f"Theorem1.B{j}") for i, j in collisions.split()]
     times = "".join(f"exists t_{n}, " for n, _ in enumerate(pairs))
     meetings = "; ".join(f"({i}, {j}, t_{n})" for n, (i, j) in enumerate(pairs))
     places, velocities = (_coordinates(scene[key]) for key in ("positions", "velocities"))
     says = " ".join(
-        (f"{times}{kind} {len(scene['positions'][0])} {_number(scene['r'])}",
+        (f"{times}{SAYS[f'scenes/{name}']} {len(scene['positions'][0])} {_number(scene['r'])}",
          f"(Theorem1.Scene {places} {velocities})", f"[{meetings}]", *more)
     )  # fmt: skip
     file = compiled(name)
@@ -202,7 +211,7 @@ def _export(folder: Path, balls: bool, file: Path) -> None:
 def everything(folders: list[Path]) -> str:
     """The theorems about what is committed, one with another, and what they assume."""
     own = {module(folder): folder for folder in folders}
-    scenes = [*DISPERSING, *COLLAPSING, *FINITE]
+    scenes = [name for names in SCENES.values() for name in names]
     lines = [f"From Verify Require {name}." for name in own]
     lines += [
         "From Verify Require Meaning Checker Accepted Closed Point Angle Pinned PinnedMeaning.",

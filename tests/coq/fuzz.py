@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from tests.check.support import answer
-from tests.coq.tampering import in_one
+from tests.coq.tampering import modules
 from tests.lies.lies import LIES, honest
 from verify import check
 
@@ -120,7 +120,7 @@ def compiled(source: Path, directory: Path) -> list[str]:
     lines = ["From Verify Require Import Sha256.", "From Coq Require ExtrOcamlBasic ExtrOcamlChar."]
     for reader, (line, other) in zip(readers, (("", ""), *LAXER), strict=True):
         parts = {name: text.replace(line, other) if line else text for name, text in texts.items()}
-        lines += [f"Module {reader}.", in_one(parts), f"End {reader}."]
+        lines += [f"Module {reader}.", *modules(parts).values(), f"End {reader}."]
     documents = " ".join(f"{reader}.ReadJson.document" for reader in readers)
     lines.append("Extraction Language OCaml.")
     lines.append(f'Extraction "document.ml" {documents} sha256 hexadecimal.')

@@ -6,7 +6,8 @@
 DIRECTORY has the file ``checked``, a line for each certificate with its folder; ``printed``, in
 which Coq prints the statements that it has proved; ``counts``, how many controls and lies were
 refused and accepted; and ``version``. Each printed statement has to say what ``statement.json``
-says, whose digest is then recorded.
+says, whose digest is then recorded. Where the file of a certificate ends in a theorem on three
+balls, for which Everything.v asks, the definition is recorded that says what it says.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from typing import Any
 
 from tests.coq.closing import ROOT as CERTIFICATES
 from tests.coq.closing import module
-from tests.coq.everything import AFTER_FLOW, folders
+from tests.coq.everything import AFTER_FLOW, SAYS, folders
 from tests.coq.readback import Exported, Interner, Written, as_exported
 
 ROOT = CERTIFICATES.parent
@@ -72,17 +73,24 @@ def found(directory: Path) -> dict[str, Any]:
     certificates = []
     for folder, digest in zip(in_order, available, strict=True):
         said_by_coq(folder, printed, available)
-        certificate = sha256((folder / "certificate.json").read_bytes()).hexdigest()
-        certificates.append({
-            "folder": str(folder.relative_to(ROOT)), "statement_sha256": digest,
-            "certificate_sha256": certificate,
-        })  # fmt: skip
+        certificates.append(_item(folder, digest))
     # The theorems on scenes and on the printed set use these with the numbers after the flow.
     for name, folder_name in AFTER_FLOW.items():
         said_by_coq(CERTIFICATES / folder_name, printed, available, name)
     counts = dict(line.split(": ") for line in (directory / "counts").read_text().splitlines())
     version = (directory / "version").read_text().strip()
     return {"format": 1, "coq": version, "counts": counts, "certificates": certificates}
+
+
+def _item(folder: Path, digest: str) -> dict[str, str]:
+    """What is recorded of a folder."""
+    name = str(folder.relative_to(CERTIFICATES))
+    certificate = sha256((folder / "certificate.json").read_bytes()).hexdigest()
+    found = {
+        "folder": str(folder.relative_to(ROOT)), "statement_sha256": digest,
+        "certificate_sha256": certificate,
+    }  # fmt: skip
+    return found | ({"theorem": SAYS[name]} if name in SAYS else {})
 
 
 def main(directory: Path, *, write: bool) -> int:

@@ -7,6 +7,12 @@ import re
 from types import SimpleNamespace
 from typing import Any
 
+import pytest
+
+from docs import generated
+from docs.generated import believed_and_proved
+from tests.coq.closing import BALLS
+from tests.coq.everything import SAYS, SCENES
 from tests.coq.record import RECORD
 from verify.views.findings import CoqRecord
 from verify.views.page.build import checked_in_coq
@@ -34,6 +40,26 @@ def test_the_record_is_read() -> None:
         assert re.match(r"[1-9]\d\d+, 0 with another verdict, ", words)
     for item in record["certificates"]:
         assert (RECORD.parents[2] / item["folder"] / "statement.json").exists()
+
+
+def test_where_coq_has_a_theorem_on_the_balls_no_sentence_is_believed() -> None:
+    record = json.loads(RECORD.read_text())["certificates"]
+    theorems = {item["folder"]: item["theorem"] for item in record if "theorem" in item}
+    assert theorems == {f"certificates/{name}": SAYS[name] for name in BALLS}
+    lines = [line.strip("|").split(" | ") for line in believed_and_proved().splitlines()[2:]]
+    scenes = {line[0].strip(): line[4].strip() for line in lines if "scene: " in line[0]}
+    assert len(scenes) == len(SCENES)
+    for said, theorem in zip(sorted(scenes.values()), sorted(SCENES), strict=True):
+        assert said == f"that `{theorem}` says what is meant (definition)"
+
+
+def test_without_the_record_the_sentences_are_believed(monkeypatch: pytest.MonkeyPatch) -> None:
+    record = json.loads(RECORD.read_text())
+    for item in record["certificates"]:
+        item.pop("theorem", None)
+    monkeypatch.setattr(generated, "in_coq", lambda: record)
+    (finite,) = (line for line in believed_and_proved().splitlines() if "scene: finite" in line)
+    assert "scene-finite" in finite.split(" | ")[4]
 
 
 def test_a_file_that_has_changed_is_not_counted() -> None:

@@ -11,6 +11,7 @@ import pytest
 from verify.language.statement import REFUTED
 from verify.paper import theorem1
 from verify.paper.commands.classification import decide_classification
+from verify.paper.commands.pages import decide
 from verify.paper.commands.sections_1_to_4 import decide_elsewhere
 from verify.paper.commands.spectrum import cite_spectrum
 from verify.paper.commands.step import decide_step
@@ -144,6 +145,7 @@ def known() -> frozenset[str]:
         ("step", decide_step()),
         ("spectrum", cite_spectrum()),
         ("classification", decide_classification()),
+        ("printed-set", decide("printed_set")),
     ):
         found |= {f"{prefix}:{name}" for name in known_in(outcome)}
         found |= {f"{prefix}:{a.name}" for a in outcome.statement.assumptions}

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from verify.prover.decimals import (
+    as_one,
     both_ends,
     decimal_exponent,
     decimal_text,
@@ -182,6 +183,50 @@ def test_two_numbers_are_told_apart_where_they_differ(
         assert both[0][1] <= both[1][0]
     elif b[1] < a[0]:
         assert both[1][1] <= both[0][0]
+
+
+@given(narrow, st.integers(-3, 3), st.sampled_from((0, 20, 60)), st.integers(3, 8))
+def test_of_numbers_that_look_equal_the_distance_is_said(
+    a: tuple[Fraction, Fraction], steps: int, power: int, digits: int
+) -> None:
+    shift = steps * (a[1] - a[0]) + steps * Fraction(1, 10**power)
+    b = a[0] + shift, a[1] + shift
+    one = as_one(a, b, digits)
+    left, right = told_apart(a, b, digits)
+    if left == right and left.endswith("…"):
+        assert one
+    if not one:
+        return
+    common, *said = re.split(r", at least | and at most |, at most | apart|, exactly equal", one)
+    low, high = shown(common)
+    assert low <= min(a[0], b[0]) <= max(a[1], b[1]) <= high
+    bounds = [value_of(text) for text in said if text]
+    near, far = max(b[0] - a[1], a[0] - b[1], 0), max(b[1] - a[0], a[1] - b[0])
+    assert bounds[:-1] == [] or 0 < bounds[0] <= near
+    assert far <= (bounds[-1] if bounds else 0) <= 2 * far
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "text"),
+    [
+        (("0.00111", "0.00111"), ("0.00111", "0.00111"), ""),
+        (("1/3", "1/3"), ("1/3", "1/3"), "0.33333333…, exactly equal"),
+        (
+            ("0.001109999999999999999999999999", "0.001110000000000000000000000001"),
+            ("0.00111", "0.00111"),
+            "0.00111 ± 10⁻³⁰, at most 10⁻³⁰ apart",
+        ),
+        (("0.1", "0.3"), ("0.2", "0.4"), ""),
+        (("0.1", "0.2"), ("0.3", "0.4"), ""),
+        (
+            (f"0.3{'1' * 60}", f"0.3{'1' * 60}"),
+            (f"0.3{'1' * 59}2", f"0.3{'1' * 59}2"),
+            "0.31111111…, at least 10⁻⁶¹ and at most 10⁻⁶¹ apart",
+        ),
+    ],
+)
+def test_where_no_digits_tell(left: tuple[str, str], right: tuple[str, str], text: str) -> None:
+    assert as_one(tuple(map(Fraction, left)), tuple(map(Fraction, right))) == text
 
 
 def test_digits_are_added_until_a_difference_is_seen() -> None:

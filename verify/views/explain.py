@@ -16,7 +16,6 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, names_of, symbol
 from verify.language.typeset import Typesetter
-from verify.prover.decimals import told_apart
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Premise, Shape, shapes
 from verify.prover.relations import negation
@@ -26,7 +25,16 @@ from verify.publication import OTHERWISE, REMARK, REPAIRED, Publication
 from verify.views.enclosures import exactly
 from verify.views.point import parameters_told
 from verify.views.row_lists import plain_letters
-from verify.views.words import ends_of, ends_told, fair, letters, short_name, sides_of, sides_told
+from verify.views.words import (
+    ends_of,
+    ends_told,
+    fair,
+    letters,
+    short_name,
+    sides_named,
+    sides_of,
+    sides_told,
+)
 
 Row = tuple[Obligation, Decision]
 
@@ -99,7 +107,7 @@ def _about(
     if row is not None:
         sides = sides_of(*row)
         if sides is not None:
-            yield "  left side {}, right side {}".format(*told_apart(*sides))
+            yield f"  {sides_named(*sides)}"
     proved = node.claim
     if row is not None and row[1].verdict == REFUTED and not isinstance(node.proof, Witness):
         opposite = negation(proved) if isinstance(proved, Claim) else None

@@ -7,7 +7,7 @@ from html import escape
 
 from verify.language.statement import UNDECIDED, Constant, Obligation
 from verify.language.terms import Claim, symbol
-from verify.prover.decimals import short, told_apart
+from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
 from verify.views import words
 from verify.views.enclosures import exactly
@@ -57,7 +57,7 @@ def _row(row: Obligation, found: Decision, outcome: Outcome, math: MathML) -> tu
     how = f"by {found.method}" if found.method and found.verdict != UNDECIDED else found.reason
     sides = words.sides_of(row, found)
     if sides is not None:
-        how += "; {} and {}".format(*told_apart(*sides))
+        how += f"; {words.sides_named(*sides)}"
     if found.witness:
         how += f"; at {words.values_told(words.witness_of(row, found), typesetter)}"
     return escape(row.name), claim, f"<b>{escape(found.verdict)}</b>", escape(how)

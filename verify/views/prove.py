@@ -8,7 +8,7 @@ from typing import Any
 from verify.language.statement import UNDECIDED, Obligation
 from verify.language.terms import Claim, symbol
 from verify.language.typeset import Typesetter
-from verify.prover.decimals import short, told_apart
+from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
 from verify.publication import Publication
 from verify.views import words
@@ -57,8 +57,7 @@ def _numbers(row: Obligation, found: Decision) -> Iterator[str]:
         yield f"  for all values of {row.context}"
     if sides is not None and isinstance(row.claim, Claim):
         left, right = sides
-        lhs, rhs = told_apart(left, right)
-        yield f"  left side {lhs}, right side {rhs}, at {found.bits or '-'} bits"
+        yield f"  {words.sides_named(left, right)}, at {found.bits or '-'} bits"
         low, high = right[0] - left[1], right[1] - left[0]
         yield f"  the right side is larger by {short((low, high))}"
     if found.verdict != UNDECIDED:

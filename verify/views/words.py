@@ -22,7 +22,7 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term, names_of, symbol
 from verify.language.typeset import LONG, Typesetter
-from verify.prover.decimals import short, told_apart
+from verify.prover.decimals import as_one, short, told_apart
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 from verify.publication import HYPOTHESES, LETTERS, OTHERWISE, REMARK, TITLE_LETTERS, Publication
 
@@ -335,12 +335,28 @@ def sides_of(row: Obligation, decision: Decision) -> tuple[Ends, Ends] | None:
 
 
 def sides_told(row: Obligation, decision: Decision, digits: int = 8) -> str:
-    """Both sides with the sign between them; nothing where they are not known."""
+    """Both sides with the sign between them; nothing where they are not known.
+
+    Where no digits tell them apart, it is said how far apart they may be.
+    """
     sides = sides_of(row, decision)
     if sides is None or not isinstance(row.claim, Claim):
         return ""
+    one = as_one(*sides, digits)
+    if one:
+        return f"both sides {one}"
     left, right = told_apart(*sides, digits)
     return f"{left} {SIGNS[row.claim.relation]} {right}"
+
+
+def sides_named(left: Ends, right: Ends) -> str:
+    """Both sides by their names."""
+    one = as_one(left, right)
+    return (
+        f"both sides {one}"
+        if one
+        else "left side {}, right side {}".format(*told_apart(left, right))
+    )
 
 
 def parameters_of(outcome: Outcome) -> dict[str, Term]:

@@ -10,10 +10,11 @@ from fractions import Fraction
 import pytest
 from flint import arb, ctx
 
+from tests.paper.sections_1_to_4.values import holds
 from tests.paper.sharper.particles import Particles, Vector, combine, dot
 from verify.cli import main
 from verify.language.errors import OwnError
-from verify.language.statement import PROVED, REFUTED
+from verify.language.statement import PRINTED, PROVED, REFUTED
 from verify.language.terms import Claim, as_term, substitute_claim, symbol
 from verify.paper.commands import pages
 from verify.paper.commands.citing import as_printed
@@ -68,19 +69,60 @@ def test_the_set_is_that_of_the_step() -> None:
 def test_a_wider_set_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     """With twice the room for d, or for the angle, the same certificate proves nothing."""
     outcome = pages.decide("printed_set")
+    around, inner, *others = outcome.statement.contexts
     for name, wider in (
         ("start-d-slope", lambda c: Claim(c.relation, c.lhs, 2 * c.rhs)),
         ("start-C-upper", lambda c: Claim(c.relation, c.lhs, 2 * c.rhs)),
         ("start-x-upper", lambda c: Claim(c.relation, c.lhs, 2 * c.rhs)),
         ("start-A-below", lambda c: Claim(c.relation, c.lhs, c.rhs + (symbol("V_1") - 0) / 9)),
     ):
-        around, inner = outcome.statement.contexts
         givens = tuple(
             given._replace(claim=wider(given.claim)) if given.name == name else given
             for given in inner.givens
         )
-        changed = outcome.statement._replace(contexts=(around, inner._replace(givens=givens)))
+        contexts = (around, inner._replace(givens=givens), *others)
+        changed = outcome.statement._replace(contexts=contexts)
         report = report_on(outcome._replace(statement=changed))
+        assert report.verdict == "REFUSED", name
+
+
+def test_the_printed_set_has_measure_0() -> None:
+    """Random contacts satisfy the equation if their angle is the printed one, and no others do."""
+    outcome = pages.decide("printed_set")
+    rows = {row.name: (row, found) for row, found in outcome.rows if row.name.startswith("set-")}
+    assert list(rows) == ["set-angle", "set-angle-else"]
+    assert {(row.role, found.verdict) for row, found in rows.values()} == {(PRINTED, PROVED)}
+    chosen = random.Random(0)
+    for _ in range(20):
+        c, gap, share = (Fraction(chosen.randint(1, 99), 100) for _ in range(3))
+        for name, cosine in (("set-angle", c), ("set-angle-else", c * share)):
+            row, _ = rows[name]
+            context = outcome.statement.context(row.context)
+            own_gap, product = (variable.name for variable in context.variables)
+            at = {"c": as_term(c), own_gap: as_term(gap), product: as_term(-cosine * (1 + gap))}
+            assert all(holds(claim, at) for claim in (*context.claims.values(), row.claim))
+            assert not holds(row.claim, at | {product: as_term(-(c + 1) * (1 + gap))})
+
+
+def test_without_the_angle_the_measure_is_not_0() -> None:
+    outcome = pages.decide("printed_set")
+    for name, weaker in (
+        ("as-printed-angle", lambda c: Claim("<=", c.lhs, c.rhs)),
+        ("another-angle-smaller", lambda c: Claim("<", 2 * c.lhs, c.rhs)),
+        ("another-angle-not-acute", lambda c: Claim("<=", c.lhs, c.rhs + 1)),
+    ):
+        contexts = tuple(
+            context._replace(
+                givens=tuple(
+                    given._replace(claim=weaker(given.claim)) if given.name == name else given
+                    for given in context.givens
+                )
+            )
+            for context in outcome.statement.contexts
+        )
+        report = report_on(
+            outcome._replace(statement=outcome.statement._replace(contexts=contexts))
+        )
         assert report.verdict == "REFUSED", name
 
 

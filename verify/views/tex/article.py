@@ -5,6 +5,7 @@ Everything is a paragraph that breaks: a formula of a certificate may be longer 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from verify.language.statement import (
@@ -20,7 +21,7 @@ from verify.language.statement import (
     Obligation,
 )
 from verify.language.terms import Claim, Term
-from verify.prover.decimals import short, told_apart
+from verify.prover.decimals import as_one, short, told_apart
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.uses import nodes
 from verify.publication import REPAIRED, Publication
@@ -42,6 +43,8 @@ from verify.views.words import (
     sides_of,
     witness_of,
 )
+
+_NUMBER = re.compile(r"-?\d[^, ]*(?: ± [^, ]+)?")
 
 PREAMBLE = r"""\documentclass[10pt]{article}
 \usepackage[a4paper,margin=2.2cm]{geometry}
@@ -287,8 +290,11 @@ class _Part:
 
     def _evidence(self, row: Obligation, found: Decision) -> Iterator[str]:
         sides = sides_of(row, found)
+        one = "" if sides is None else as_one(*sides)
         left, right = ("", "") if sides is None else told_apart(*sides)
-        if left and not (left + right).count("["):  # an equality has no digits on which both agree
+        if one:
+            yield "both sides " + _NUMBER.sub(lambda m: f"${tex_number(m[0])}$", one)
+        elif left and "[" not in left + right:
             yield rf"left side ${tex_number(left)}$, right side ${tex_number(right)}$"
         if found.verdict == REFUTED and found.witness:
             values = self.formulas.values(in_order(witness_of(row, found) or found.witness))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 
 from verify import check
 from verify.wire.coq.proofs import Proofs
@@ -17,10 +17,17 @@ ASSUMPTIONS = "\nPrint Assumptions proved.\n"
 Ending = Callable[[Reading], list[str]]
 
 
-def export(folder: check.Folder, *, ordinary: bool = False, ending: Ending | None = None) -> str:
+def export(
+    folder: check.Folder,
+    *,
+    ordinary: bool = False,
+    rows: Callable[[Reading], Collection[str]] = lambda _: (),
+    ending: Ending | None = None,
+) -> str:
     """A Coq file that proves the statement from the certificate; also in ordinary notation.
 
-    With ``ending`` it ends in what that says of the statement.
+    There it has the ``rows`` of the statement, or all of them if they are none. With ``ending`` the
+    file ends in what that says of the statement.
 
     Raises:
         NotAcceptedError: for what is no certificate that proves its statement.
@@ -31,7 +38,8 @@ def export(folder: check.Folder, *, ordinary: bool = False, ending: Ending | Non
     if ending is not None:
         more = ending(reading)
     else:
-        more = [*(readable(reading, Readable(reading)) if ordinary else ()), ASSUMPTIONS]
+        form = Readable(reading)
+        more = [*(readable(reading, form, rows(reading)) if ordinary else ()), ASSUMPTIONS]
     return "\n".join((head(reading), *data(reading), *theorem(reading), *more))
 
 

@@ -1,7 +1,5 @@
 """A statement with the numbers that its terms have where another one is cited first.
 
-    python -m verify.wire.coq.second_citation FOLDER FIRST      # prints the file for Coq, readable
-
 A statement has the terms and contexts of those that it cites first, in order, so that it begins
 with the numbers of the first one. Of a second one the numbers come after those: it is exported once
 more, as a statement that cites the first one, too, and so is what cites it.
@@ -10,12 +8,10 @@ more, as a statement that cites the first one, too, and so is what cites it.
 from __future__ import annotations
 
 import json
-import sys
 from hashlib import sha256
 from pathlib import Path
 
 from verify import check
-from verify.wire.coq.export import export
 
 
 def beside(folder: Path, first: Path) -> check.Folder:
@@ -29,7 +25,3 @@ def beside(folder: Path, first: Path) -> check.Folder:
     certificate["statement_sha256"] = sha256(data).hexdigest()
     proof = json.dumps(certificate).encode()
     return check.Folder(folder.name, data, proof, [other, *read.cited], read.proofs)
-
-
-if __name__ == "__main__":
-    sys.stdout.write(export(beside(Path(sys.argv[1]), Path(sys.argv[2])), ordinary=True))

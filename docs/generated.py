@@ -199,6 +199,7 @@ RUNS = {
     "classification": ("classification", "`check.py`"),
     "separatrix --all": ("separatrix", "`check.py`"),
     "the sandwich theorem": ("sandwich", "`check.py`"),
+    "the theorem on any three balls": ("three-balls", "`check.py`"),
     "its other half, outside the set": ("outside", "`check.py`"),
     "the printed set": ("printed-set", "`check.py`"),
     "the printed sign, which makes the theorem false": ("printed-sign", "`check.py`"),

@@ -202,11 +202,22 @@ def search(bodies: Bodies, start: Start, unit: Fraction) -> tuple[Bounds, Stair]
     return None
 
 
+def scaled(start: Start, contacts: tuple[Fraction, Fraction]) -> Start:
+    """A state where lengths of the pair of 0 and i are in units of the distance of their contact.
+
+    The contacts are those of c and s; d is measured in the first one before, too.
+    """
+    c, s = map(balls.exact, contacts)
+    return Start(
+        start.y / c, start.eta_s / s, start.C, start.a / c, start.b / s, start.A / (c * c),
+        start.B / (s * s), start.w / (c * s), start.d,
+    )  # fmt: skip
+
+
 def find_three_balls(bodies: Bodies, start: Start, time: Number) -> Collapse | None:
     """Why the balls collapse; None if the search finds no numbers, or balls do not show it.
 
-    The state is that of the scaled positions and velocities: lengths of the pair of 0 and i are in
-    units of the distance at which these touch.
+    The state is a scaled one.
     """
     if not may_collapse(bodies, balls.as_float(start.C)):
         return None

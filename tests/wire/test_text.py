@@ -254,6 +254,40 @@ def test_greek_names_may_be_written() -> None:
     assert statement.obligations[0].claim == (symbol("epsilon_0") < 1)
 
 
+@pytest.mark.parametrize(
+    ("tables", "formula", "says"),
+    [
+        ('[constants]\nb = 3\neta = 5\nbeta = "1/2"', "bη < 1", r"write b\*η"),
+        ("[constants]\nx_11 = 1", "x1₁ < 2", "x1_1"),
+        ('[constants]\n"bη" = 1', "beta < 2", "bη"),
+        ("[constants]\nalpha = 10", "sum(alpha, α, 1, 3) = 30", "no new letter"),
+        ('[let]\n"δ" = 2\n[constants]\ndelta = 1', "δ > delta", "something else"),
+        ('[let]\n"f(δ)" = "δ"', "1 < 2", "no name"),
+        ('[let]\n"x^2" = 5\n[constants]\nx = 1', "x^2 < 2", "no name"),
+    ],
+)
+def test_a_name_stands_for_one_thing(tables: str, formula: str, says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        read(f'title = "t"\n{tables}\n[rows]\na = "{formula}"\n')
+
+
+def test_names_that_are_written_alike_are_one() -> None:
+    page = 'title = "t"\n[let]\n"δ₁" = 2\n[rows]\na = "δ_1 < sum(α*alpha, α, 1, 3)"\n'
+    (row,) = read(page).obligations
+    assert row.claim == (as_term(2) < as_term(1) * 1 + as_term(2) * 2 + as_term(3) * 3)
+
+
+def test_a_variable_has_one_value() -> None:
+    page = 'title = "t"\n[contexts.b]\nvariables = "x"\n[contexts.c]\nvariables = "x"\n'
+    for where in (
+        'point = { x = 1, "c.x" = 2 }\n[rows]\na = "c.x < 3"\n',
+        'states = { s = "x = 1, c.x = 2" }\n[rows]\na = "c.x < 3"\n',
+        '[rows]\na = { applies = "c", at = { x = 1, "c.x" = 2 } }\n',
+    ):
+        with pytest.raises(InputError, match=r"'c.x' has two values"):
+            read(page + where)
+
+
 def test_a_point_on_a_curve_is_asked_for() -> None:
     page = 'title = "t"\n[contexts.c]\nvariables = ["x", "y"]\ngiven = ["exp(x) + exp(y) = 7"]\n'
     with pytest.raises(InputError, match=r"line 2: contexts.c: no point was found .* point = "):

@@ -53,7 +53,9 @@ from verify.wire.text.matrices import (
 from verify.wire.text.vectors import Combination, Gram, basis, combination, dot
 
 _LETTERS = f"A-Za-z{''.join(NAMES)}"
-_NAME = rf"(?:[A-Za-z][A-Za-z0-9_]*:)*[{_LETTERS}][{_LETTERS}0-9_]*(?:\.[{_LETTERS}0-9_]+)*[₀-₉]*"
+#: In a name a Greek letter stands only where a part of it begins: bη is b times η.
+_MORE = rf"(?:[A-Za-z0-9_]|(?<=[_.])[{_LETTERS}])"
+_NAME = rf"(?:[A-Za-z][A-Za-z0-9_]*:)*[{_LETTERS}]{_MORE}*(?:\.{_MORE}+)*[₀-₉]*"
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
     rf"|`(?P<quoted>[^`]+)`|(?P<name>{_NAME})|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
@@ -460,6 +462,13 @@ class _Reader:
         except ValueError as error:
             raise self.error(str(error)) from error
 
+    def _spend(self, work: int) -> None:
+        """Count what is read anew."""
+        try:
+            self.names.spent.spend(work)
+        except ValueError as error:
+            raise self.error(str(error)) from error
+
     def sum(self) -> Value:
         """Products with signs between them."""
         found = self.product()
@@ -574,7 +583,7 @@ class _Reader:
         if kind == "number":
             return as_term(rational(self.where, word))
         if kind == "quoted":
-            return self.names.term(self.where, word)
+            return self.indices[word] if word in self.indices else self.names.term(self.where, word)
         if kind == "name":
             return self._named(word)
         if word == "(":
@@ -605,8 +614,8 @@ class _Reader:
             return self._defined(word)
         if self.sign == "(" and (word in CALLED or not named):
             return self._function(word)
-        if word in self.indices:
-            return self.indices[word]
+        if name_of(word) in self.indices:
+            return self.indices[name_of(word)]
         if word in CALLED and not named:
             from verify.wire.text import instead  # loaded only where it is used
 
@@ -632,10 +641,7 @@ class _Reader:
             wanted = f"{word}({', '.join(function.parameters)})"
             raise self.error(f"{word} is of {len(function.parameters)} values; write {wanted}")
         self.names.spent.used.add(word)
-        try:
-            self.names.spent.spend(len(str(function.body)))
-        except ValueError as error:
-            raise self.error(str(error)) from error
+        self._spend(len(str(function.body)))
         names = function.names.of(dict(zip(function.parameters, values, strict=True)))
         return read_entries(function.place, function.body, names)
 
@@ -684,6 +690,7 @@ class _Reader:
     def _vector(self) -> Combination:
         """A combination of vectors, up to the comma or the parenthesis after it."""
         inside = _Reader(self.where, "", self.names.of_vectors())
+        inside.text, inside.indices = self.text, self.indices
         inside.tokens, inside.at = self.tokens, self.at
         term = inside.number(inside.sum())
         self.at = inside.at
@@ -722,9 +729,10 @@ class _Reader:
         example = f"write {word}(1/k^2, k, 1, 10)"
         if not self.take(","):
             raise self.error(f"a {word} has a term, a letter and two whole numbers; {example}")
-        kind, letter = self.tokens[self.at]
+        kind, written = self.tokens[self.at]
+        letter = name_of(written)
         if kind != "name" or letter in self.indices or letter in self.names.known:
-            raise self.error(f"{shown(letter)} is no new letter to number terms by; {example}")
+            raise self.error(f"{shown(written)} is no new letter to number terms by; {example}")
         self.at += 1
         first, last = (self._whole(example) for _ in range(2))
         self.expect(")")
@@ -736,6 +744,7 @@ class _Reader:
             self.terms_left -= 1
             if self.terms_left < 0:
                 raise self.error(f"it has more than {MAX_TERMS} terms; split it, or name its parts")
+            self._spend(3 * (comma - start))
             self.at, self.indices[letter] = start, as_term(number)
             terms.append(self.number(self.sum()))
             if self.at != comma:

@@ -562,7 +562,7 @@ said(
 said(
     P,
     "diameters that are 1 and",
-    by=coded("1", "verify/paper/assumptions.py", "equal mass and diameter 1"),
+    by=coded("1", "verify/paper/step.toml", "equal mass and diameter 1"),
 )
 P = "docs/howto/second-checker.md"
 for word in ("PROVED", "REFUSED", "MALFORMED"):
@@ -654,7 +654,7 @@ said(P, "part with {} % of", told(100 * Fraction(point()["parameters"]["r"])))
 said(P, "{}: the moment", re.findall(r"collapse time in (\[[^]]+\])", file(P))[0] + "**")
 said(P, "{}: θ is", re.findall(r"final -cos θ in (\[[^]]+\])", file(P))[0] + "**")
 said(P, "from collision {}", re.findall(r"from collision (\d+ on 02, 01, 02)", file(P))[0])
-said(P, "distance 1.", by=coded("1", "verify/paper/assumptions.py", "diameter 1 move freely"))
+said(P, "distance 1.", by=coded("1", "verify/paper/step.toml", "diameter 1 move freely"))
 said(P, "is 501/500 and", by=true("1.002 = 501/500", lambda draw: {}))
 said(P, "at 45° has", by=coded("45°", P, "`[1, -1]`"))
 said(P, "speed is √2; ", by=true("√2 = √(1 + 1)", lambda draw: {}))

@@ -22,10 +22,9 @@ from verify.language.statement import (
     Obligation,
 )
 from verify.language.terms import Claim, as_term
-from verify.paper.commands.citing import applies
+from verify.paper.commands.citing import COLLAPSE, applies
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.parameters import GROUPS, HYPOTHESES, PRINTED, REPAIRED
-from verify.paper.step import COLLAPSE
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.choices import Chooser, OpenChoiceError, entries_of

@@ -12,6 +12,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple
 
+from verify.language.fold import FAILS, HOLDS, OPEN
 from verify.language.statement import (
     NEEDED,
     PROVED,
@@ -30,7 +31,6 @@ from verify.prover import balls
 from verify.prover.choices import Chooser, OpenChoiceError, entries_of
 from verify.prover.outcome import Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Proof
-from verify.prover.relations import FAILS, HOLDS, OPEN
 from verify.prover.rules import Interval, Sum
 from verify.prover.straight import StraightLine
 from verify.views.findings import ScannedPoint

@@ -10,8 +10,8 @@ from collections.abc import Sequence
 
 from flint import fmpq_mpoly
 
+from verify.prover.balls import fraction_of
 from verify.prover.budget import WorkBudget
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Value
 from verify.prover.rules import Sum
 from verify.prover.search.bases import all_monomials, pruned

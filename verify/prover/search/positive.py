@@ -15,8 +15,8 @@ from flint import fmpq_mpoly
 
 from verify.language.record import Record
 from verify.language.terms import Term
+from verify.prover.balls import fraction_of
 from verify.prover.budget import WorkBudget
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Sum
 from verify.prover.search.bases import Gradings, all_monomials, pruned

@@ -20,9 +20,9 @@ from verify.language.typeset import Typesetter
 from verify.paper.commands import pages
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.parameters import REPAIRED
-from verify.paper.rows import BREAKS
 from verify.paper.theorem1 import theorem
 from verify.prover.choices import entries_of
+from verify.publication import BREAKS
 
 sys.path.append(str(ROOT / "docs"))
 

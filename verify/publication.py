@@ -62,6 +62,20 @@ class Change(Record):
     why: str
 
 
+class Cause(Record):
+    """What is wrong, once, with the names of all rows that show it."""
+
+    rows: tuple[str, ...]
+    text: str
+
+
+class Remark(Record):
+    r"""A sentence about the text near one of the paper's ``\label``s."""
+
+    label: str
+    text: str
+
+
 class Notes(Record):
     """What there is to say of a text where no row says it.
 

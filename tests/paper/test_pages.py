@@ -10,8 +10,8 @@ import pytest
 from verify.cli import main
 from verify.language.statement import PROVED
 from verify.paper.commands import pages
+from verify.paper.commands.citing import COLLAPSE
 from verify.paper.commands.theorem1 import decide_point
-from verify.paper.step import COLLAPSE
 from verify.prover.arguments import write_down
 from verify.wire.judge import judged
 from verify.wire.packaged import PACKAGED, PAGES, became

@@ -16,13 +16,12 @@ from tests.points import parameters
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Obligation
 from verify.language.terms import cos_pi
 from verify.paper import theorem1
-from verify.paper.commands.theorem1 import decide_point
+from verify.paper.commands.citing import COLLAPSE
+from verify.paper.commands.theorem1 import INSTEAD, decide_point, graded
 from verify.paper.parameters import GROUPS, REPAIRED
-from verify.paper.rows import INSTEAD, SEVERITIES, graded
-from verify.paper.step import COLLAPSE
 from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Outcome
-from verify.publication import BREAKS, HARMLESS, OTHERWISE
+from verify.publication import BREAKS, HARMLESS, OTHERWISE, SEVERITIES
 
 #: The parameters of the committed certificates.
 POINTS = {

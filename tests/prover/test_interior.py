@@ -7,10 +7,9 @@ from fractions import Fraction
 
 import pytest
 
-from verify.language.fold import RATIONAL, fold
+from verify.language.fold import RATIONAL, fold, holds
 from verify.language.terms import Claim, Term, as_term, symbol
 from verify.prover.budget import WorkBudget
-from verify.prover.relations import holds
 from verify.prover.search.interior import contradiction_of, interior
 from verify.wire.inputs import InputError
 from verify.wire.questions import decide, read_page_of

@@ -24,9 +24,9 @@ from verify.language.terms import (
 )
 from verify.library import ask, constant, for_all, lemma, prove
 from verify.prover import prove as search
+from verify.prover.balls import float_of
 from verify.prover.budget import WorkBudget
 from verify.prover.goal import Bounds, Goal
-from verify.prover.numbers import float_of
 from verify.prover.search import tree
 from verify.prover.search.faces import value_at
 from verify.prover.search.local_minima import Minima

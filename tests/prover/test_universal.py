@@ -34,8 +34,8 @@ from verify.language.terms import (
     sqrt,
     symbol,
 )
+from verify.prover.balls import fraction_of
 from verify.prover.bernstein import Tensor
-from verify.prover.numbers import fraction_of
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.prove import prove
 from verify.prover.rules import Cuts, Witness

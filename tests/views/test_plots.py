@@ -13,6 +13,7 @@ import pytest
 
 from tests.paper.spectrum.page import terms
 from tests.views.conftest import TABLE
+from verify.language.fold import holds
 from verify.language.statement import REFUTED, UNDECIDED
 from verify.language.terms import Claim, as_term
 from verify.paper.commands import curves, pages
@@ -24,7 +25,6 @@ from verify.paper.parameters import PRINTED, REPAIRED
 from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Decision
 from verify.prover.program import ExactArithmetic, Machine, Program
-from verify.prover.relations import holds
 from verify.publication import ACCUSATIONS
 from verify.views.plots import figures, margins, region, speed
 from verify.views.plots.drawing import HATCHED, SCHEMES, standalone, svg

@@ -13,7 +13,7 @@ from verify.paper.commands.theorem1 import decide_point
 from verify.paper.parameters import SELECTIONS
 from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
-from verify.views.screen import screen
+from verify.views.point import screen
 from verify.wire.inputs import InputError, integer
 
 MAX_PRECISION = 1 << 16

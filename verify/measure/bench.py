@@ -20,6 +20,7 @@ from statistics import median
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from verify.language.fold import fails, holds
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term, as_term
 from verify.measure import Table, table, timed
@@ -36,7 +37,6 @@ from verify.prover import balls
 from verify.prover.decimals import decimal_text, round_decimal
 from verify.prover.outcome import Ends, Outcome
 from verify.prover.program import Program, UndefinedError
-from verify.prover.relations import fails, holds
 
 PRECISIONS = (53, 64, 96, 128, 192, 256, 512, 1024, 2048, 4096)
 REFERENCE_BITS = 4096

@@ -8,8 +8,7 @@ the table `paper | needed | why`. Remarks stand where no inequality decides.
 from __future__ import annotations
 
 from verify.paper.parameters import THEOREM
-from verify.paper.rows import Cause, Remark
-from verify.publication import Change
+from verify.publication import Cause, Change, Remark
 
 X_0, X_LINK = "EQUATSS4.1DescrDoIniColla", "EQUATSS4.1Lien_x_n_&_y_n_"
 DELTA, ETA = "EQUATSS4.1DefinDeltxDelty", "EQUATSS4.1DefinBorne_Eta_"

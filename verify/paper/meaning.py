@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from verify.paper.rows import Remark
+from verify.publication import Remark
 
 MEANING = (
     Remark("PROPOSS3.5OrdreTriagColla",

@@ -13,8 +13,7 @@ from functools import cache
 from verify.language.record import Record
 from verify.language.statement import Assumption, Choice, Constant, Obligation
 from verify.paper.parameters import HYPOTHESES, PRINTED, REPAIRED
-from verify.paper.rows import Cause, Remark
-from verify.publication import Change
+from verify.publication import Cause, Change, Remark
 from verify.wire.compiled import Compiled, read_compiled
 from verify.wire.packaged import PACKAGED
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from verify.language import argument
 from verify.language.argument import Argument, Chapter, Defined, Line, Opened, Reason
+from verify.language.fold import negation
 from verify.language.statement import (
     PROVED,
     REFUTED,
@@ -23,7 +24,6 @@ from verify.prover import rules
 from verify.prover.budget import WorkBudget
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Premise, Proof, every
-from verify.prover.relations import negation
 from verify.prover.session import ZERO, Session
 
 TYPE_CHECKING = False

@@ -1,4 +1,4 @@
-"""Ball arithmetic: the only module that imports flint.
+"""Ball arithmetic, and rational numbers as FLINT and Python have them.
 
 A ball is an `arb`. Every operation that can leave the real numbers (division, square root) checks
 its result, so a value that comes out of a program is finite and encloses the exact one.
@@ -34,6 +34,26 @@ def precision(bits: int) -> Iterator[None]:
     """Work with ``bits`` bits of precision inside a ``with`` block."""
     with ctx.workprec(bits):
         yield
+
+
+def float_of(value: fmpq | Fraction) -> float:
+    """The nearest float, or about that; an infinite one beyond the largest."""
+    top, bottom = (value.p, value.q) if isinstance(value, fmpq) else value.as_integer_ratio()
+    try:
+        return int(top) / int(bottom)
+    except OverflowError:
+        return math.inf if top > 0 else -math.inf
+
+
+def fmpq_of(value: Fraction | float) -> fmpq:
+    """The same number for FLINT."""
+    value = Fraction(value)
+    return fmpq(value.numerator, value.denominator)
+
+
+def fraction_of(value: fmpq) -> Fraction:
+    """The same number for Python."""
+    return Fraction(int(value.p), int(value.q))
 
 
 def from_fraction(value: Fraction) -> arb:

@@ -19,8 +19,8 @@ from math import comb, prod
 from flint import fmpq, fmpq_mpoly, fmpq_poly
 
 from verify.language.record import Record
+from verify.prover.balls import fmpq_of, fraction_of
 from verify.prover.goal import Bounds
-from verify.prover.numbers import fmpq_of, fraction_of
 from verify.prover.proof import Value, power_of, product_of, sum_of
 
 Ends = tuple[Fraction, Fraction]

@@ -6,14 +6,13 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
-from verify.language.fold import RATIONAL, fold
+from verify.language.fold import FAILS, HOLDS, OPEN, RATIONAL, fold, holds
 from verify.language.statement import Choice, Constant, Statement
 from verify.language.terms import FUNCTIONS, Claim, Term, as_term
 from verify.prover import balls
 from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.decimals import round_decimal
 from verify.prover.ground import Ground
-from verify.prover.relations import FAILS, HOLDS, OPEN, holds
 from verify.prover.session import Session
 
 #: Chosen constants are rounded to this many significant decimal digits.

@@ -16,7 +16,7 @@ from math import comb
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from verify.language.terms import FUNCTIONS, Claim, Term, as_term
-from verify.prover.numbers import fmpq_of, fraction_of
+from verify.prover.balls import fmpq_of, fraction_of
 from verify.prover.session import ZERO
 
 Polynomial = fmpq_mpoly

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import Any
 
+from verify.language.fold import fails, holds
 from verify.language.statement import PROVED, REFUTED, Constant
 from verify.language.terms import Claim, Term, as_term
 from verify.prover import balls
@@ -16,7 +17,6 @@ from verify.prover.decimals import enclosing_decimals
 from verify.prover.outcome import Enclosure, Ends
 from verify.prover.program import ExactArithmetic, Machine, Program, Run
 from verify.prover.proof import Proof
-from verify.prover.relations import fails, holds
 from verify.prover.rules import Interval
 from verify.prover.session import ZERO, Session
 

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
+from verify.language.fold import negation
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Obligation
 from verify.language.terms import Claim, parts_of
 from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Constants
 from verify.prover.outcome import Decision, Enclosure, Judgement
 from verify.prover.proof import Proof
-from verify.prover.relations import negation
 from verify.prover.rules import Interval
 from verify.prover.session import Session
 

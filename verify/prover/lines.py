@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from verify.language.argument import ByNegation, ByWitness, Chapter, Line, ToBeFound
+from verify.language.fold import negation
 from verify.language.statement import (
     NEEDED,
     PROVED,
@@ -38,7 +39,6 @@ from verify.prover.prove import (
     opened,
     unused_prefix,
 )
-from verify.prover.relations import negation
 from verify.prover.rows_in_contexts import RowsInContexts
 from verify.prover.session import Session
 from verify.prover.techniques import find

@@ -7,10 +7,10 @@ from fractions import Fraction
 from itertools import islice, product
 from typing import Any
 
+from verify.language.fold import fails
 from verify.prover import balls
 from verify.prover.goal import Bounds, Goal
 from verify.prover.program import ExactArithmetic, Machine
-from verify.prover.relations import fails
 
 BITS = 128
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from verify.language.fold import negation
 from verify.language.statement import (
     PROVED,
     REFUTED,
@@ -19,7 +20,6 @@ from verify.prover.goal import Goal
 from verify.prover.outcome import Decision
 from verify.prover.points import refuting_point
 from verify.prover.proof import Proof
-from verify.prover.relations import negation
 from verify.prover.rules import Applying, Induction, Witness
 from verify.prover.search.question import Question, refuting_minimum
 from verify.prover.universal import Universal, with_constants

@@ -30,9 +30,9 @@ from verify.language.terms import (
     substitute_claim,
     symbol,
 )
+from verify.prover.balls import fraction_of
 from verify.prover.clearing import Clearing, Polynomial, coefficients, has_value
 from verify.prover.constants import Constants
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Entry, Law, Sum, same
 

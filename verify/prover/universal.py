@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
+from verify.language.fold import MEANINGS
 from verify.language.statement import (
     PROVED,
     Constant,
@@ -30,7 +31,6 @@ from verify.prover.ground import Ground
 from verify.prover.hint import Hint
 from verify.prover.lengths import Lengths
 from verify.prover.proof import Proof
-from verify.prover.relations import MEANINGS
 from verify.prover.rules import (
     Define,
     Sum,

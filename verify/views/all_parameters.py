@@ -12,8 +12,8 @@ from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 from verify.publication import ACCUSATIONS, BREAKS, Publication
 from verify.views import words
 from verify.views.findings import Whole
+from verify.views.point import causes, printed_lines
 from verify.views.row_lists import MORE, plain_letters
-from verify.views.screen import causes, printed_lines
 from verify.views.tex import sentences
 from verify.views.tex.formulas import Formulas
 

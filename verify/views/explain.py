@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from verify.language.fold import negation
 from verify.language.statement import (
     NEEDED,
     PRINTED,
@@ -18,7 +19,6 @@ from verify.language.terms import Claim, names_of, symbol
 from verify.language.typeset import Typesetter
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Premise, Shape, shapes
-from verify.prover.relations import negation
 from verify.prover.rules import RULES, Sum, Witness, rule_of
 from verify.prover.uses import Node, nodes
 from verify.publication import OTHERWISE, REMARK, REPAIRED, Publication

@@ -11,9 +11,8 @@ from verify.prover.outcome import Outcome
 from verify.publication import HYPOTHESES, REPAIRED, Publication
 from verify.views import words
 from verify.views.enclosures import minimum_of
-from verify.views.point import in_numbers, parameters_told
+from verify.views.point import TITLES, in_numbers, parameters_told, verdict_lines
 from verify.views.row_lists import row_lines
-from verify.views.screen import TITLES, verdict_lines
 
 
 def report_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:

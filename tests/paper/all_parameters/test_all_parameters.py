@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from verify import check
+from verify.language.fold import fails
 from verify.language.statement import NEEDED, PROVED, Constant
 from verify.language.terms import Claim, Term
 from verify.paper.commands import pages
@@ -20,7 +21,6 @@ from verify.prover.balls import BallArithmetic
 from verify.prover.outcome import Outcome
 from verify.prover.program import Machine, Program
 from verify.prover.proof import LemmaStep, ObligationStep
-from verify.prover.relations import fails
 from verify.prover.rules import Sum
 from verify.wire.read import read
 from verify.wire.write import write

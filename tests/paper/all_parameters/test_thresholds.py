@@ -10,6 +10,7 @@ import pytest
 
 from verify import check
 from verify.cli import main
+from verify.language.fold import fails, holds
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term
 from verify.paper.commands import pages
@@ -22,7 +23,6 @@ from verify.prover.balls import BallArithmetic
 from verify.prover.outcome import Decision
 from verify.prover.program import Machine, Program
 from verify.prover.proof import LemmaStep
-from verify.prover.relations import fails, holds
 from verify.views.all_parameters import LEFT_OPEN, Outcome
 from verify.wire.read import read
 from verify.wire.text.read_page import read_page

@@ -9,6 +9,7 @@ from hashlib import sha256
 import pytest
 
 from verify import check
+from verify.language.fold import holds
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term, as_term
 from verify.paper import box as paper
@@ -25,7 +26,6 @@ from verify.paper.commands.regenerate import is_right_statement
 from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Outcome
 from verify.prover.program import ExactArithmetic, Machine, Program
-from verify.prover.relations import holds
 from verify.wire.read import read as read_files
 from verify.wire.write import write
 

@@ -9,8 +9,9 @@ from typing import Any, NamedTuple
 
 from flint import arb
 
+from tests.evaluation import value
 from tests.paper.sharper.particles import Particles, Vector, combine, dot
-from verify.language.terms import Claim, Term
+from verify.language.terms import Claim
 from verify.paper.commands.pages import page
 from verify.prover import balls
 from verify.spheres.flow.collapse import Start
@@ -32,28 +33,9 @@ class Applied(NamedTuple):
     points: tuple[tuple[Fraction, Fraction], ...]
 
 
-def value(term: Term, at: Values) -> Any:
-    """The value of a term without roots."""
-    if term.op == "rational":
-        return balls.exact(term.value)
-    if term.op == "symbol":
-        return at[term.name]
-    x = [value(child, at) for child in term.children]
-    if term.op == "pow":
-        return x[0] ** term.exponent
-    if term.op == "neg":
-        return -x[0]
-    return {
-        "add": lambda: x[0] + x[1],
-        "sub": lambda: x[0] - x[1],
-        "mul": lambda: x[0] * x[1],
-        "div": lambda: x[0] / x[1],
-    }[term.op]()
-
-
 def holds(claim: Claim, at: Values) -> bool:
     """Whether a claim is certain."""
-    lhs, rhs = value(claim.lhs, at), value(claim.rhs, at)
+    lhs, rhs = (value(side, at, balls.exact) for side in (claim.lhs, claim.rhs))
     return bool(lhs < rhs if claim.relation == "<" else lhs <= rhs)
 
 

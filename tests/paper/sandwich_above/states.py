@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from flint import arb
 
+from tests.evaluation import value
 from tests.paper.sandwich.states import Random, Values, start_of
 from tests.paper.sharper.particles import Particles
-from verify.language.terms import Claim, Term
+from verify.language.terms import Claim
 from verify.paper.commands.pages import page
 from verify.prover import balls
 from verify.prover.choices import round_to_digits
@@ -42,26 +43,9 @@ def below(number: float) -> Fraction:
     return round_to_digits(Fraction(number), up=False, digits=7)
 
 
-def value(term: Term, at: Values) -> Any:
-    """The value of a term."""
-    if term.op == "rational":
-        return balls.exact(term.value)
-    if term.op == "symbol":
-        return at[term.name]
-    x = [value(child, at) for child in term.children]
-    if term.op == "pow":
-        return x[0] ** term.exponent
-    if term.op == "neg":
-        return -x[0]
-    if term.op == "sqrt":
-        return x[0].sqrt()
-    a, b = x
-    return {"add": a + b, "sub": a - b, "mul": a * b}[term.op] if term.op != "div" else a / b
-
-
 def holds(claim: Claim, at: Values) -> bool:
     """Whether a claim is certain."""
-    lhs, rhs = value(claim.lhs, at), value(claim.rhs, at)
+    lhs, rhs = (value(side, at, balls.exact) for side in (claim.lhs, claim.rhs))
     return bool(lhs < rhs if claim.relation == "<" else lhs <= rhs)
 
 

@@ -8,6 +8,7 @@ from functools import cache
 import pytest
 from flint import arb
 
+from tests.evaluation import value
 from tests.paper.changed_statements import answer, but, changed, claim_of, report, standing, without
 from tests.paper.sharper.particles import Particles, dot
 from tests.paper.sharper.states import Numbers, Random
@@ -193,25 +194,6 @@ def test_a_stronger_claim_is_refused() -> None:
 
 
 # --- what is true --------------------------------------------------------------------------------
-
-
-def value(term: Term, at: Numbers) -> Fraction:
-    """The exact value of a term without roots."""
-    if term.op == "rational":
-        return term.value
-    if term.op == "symbol":
-        return at[term.name]
-    x = [value(child, at) for child in term.children]
-    if term.op == "pow":
-        return x[0] ** term.exponent
-    if term.op == "neg":
-        return -x[0]
-    return {
-        "add": lambda: x[0] + x[1],
-        "sub": lambda: x[0] - x[1],
-        "mul": lambda: x[0] * x[1],
-        "div": lambda: x[0] / x[1],
-    }[term.op]()
 
 
 def room_for_the_angle(at: Numbers) -> Fraction:

@@ -9,13 +9,13 @@ from typing import Any
 
 from flint import arb
 
+from verify.language.fold import fails
 from verify.language.statement import Context
 from verify.language.terms import Claim
 from verify.paper.commands.pages import page
 from verify.prover import balls
 from verify.prover.balls import BallArithmetic
 from verify.prover.program import Machine, Program
-from verify.prover.relations import fails
 
 #: The step as its page states it.
 STEP = page("step").statement

@@ -19,9 +19,9 @@ from flint import arb, fmpq
 
 from verify.language.statement import Constant
 from verify.language.terms import Claim, as_term
+from verify.paper.commands.citing import MEANING
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.parameters import PARAMETERS
-from verify.paper.step import MEANING
 from verify.prover.program import ExactArithmetic, Machine, Program
 
 from . import second_estimates

@@ -19,8 +19,7 @@ from verify import check
 from verify.cli import main
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Always, Obligation
 from verify.language.terms import Claim, Term, as_term, substitute_claim, symbol
-from verify.paper import step
-from verify.paper.commands import pages
+from verify.paper.commands import citing, pages
 from verify.paper.commands.step import decide_step
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.parameters import ALL, PARAMETERS
@@ -77,7 +76,7 @@ def test_glue_names_rows_that_are_there() -> None:
 def test_the_point_is_the_theorem_at_three_hundredths() -> None:
     point = STEP.context("parameters").point
     outcome = decide_point({n: point[n] for n in PARAMETERS}, "repaired")
-    for name, meaning in step.MEANING.items():
+    for name, meaning in citing.MEANING.items():
         low, high = outcome.enclosures[meaning.name].ends[0]
         assert low <= point[name].value <= high
 
@@ -183,7 +182,7 @@ def claims_in(*contexts: str) -> dict[str, Claim]:
 @pytest.mark.parametrize("dimension", [2, 3, 4])
 def test_no_claim_is_violated_at_random_states(dimension: int) -> None:
     here = STEP.context("state")
-    names = [*step.MEANING, *following(), "t", "s"]
+    names = [*citing.MEANING, *following(), "t", "s"]
     claims = claims_in("parameters", "state", "before", "meanwhile")
     (time,) = (constant.term for constant in here.constants if constant.name == "tau")
     with balls.precision(BITS):
@@ -203,7 +202,7 @@ def test_no_claim_is_violated_at_random_states(dimension: int) -> None:
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_orbits_from_the_initial_set_satisfy_all_conditions(dimension: int) -> None:
     here = STEP.context("state")
-    names = [*step.MEANING, *following()]
+    names = [*citing.MEANING, *following()]
     conditions = {given.name: given.claim for given in here.givens if given.kind == "carried"}
     with balls.precision(4 * BITS):
         draw = Random(7, dimension)
@@ -307,21 +306,25 @@ def test_nothing_is_proved_by_a_file_that_was_tampered_with(
 
 
 def test_every_given_is_a_row_a_definition_or_a_lemma_of_the_point() -> None:
-    kinds = (step.row_names(), step.DEFINED, step.BETWEEN)
-    assert all(sum(name in kind for kind in kinds) == 1 for name in step.GIVENS)
-    assert len(step.GIVENS) == sum(map(len, kinds))
+    kinds = (citing.row_names(), citing.DEFINED, citing.BETWEEN)
+    assert all(sum(name in kind for kind in kinds) == 1 for name in citing.GIVENS)
+    assert len(citing.GIVENS) == sum(map(len, kinds))
+
+
+def test_who_cites_the_step_takes_on_trust_what_its_page_does() -> None:
+    assert citing.step_cited().trusted == STEP.assumptions
 
 
 def test_the_givens_of_the_page_are_the_theorems_rows_word_for_word() -> None:
-    here, parts = STEP.context(step.CONTEXT), theorem().parts
-    assert [variable.name for variable in here.variables] == list(step.MEANING)
-    assert list(here.claims) == list(step.GIVENS)
+    here, parts = STEP.context(citing.CONTEXT), theorem().parts
+    assert [variable.name for variable in here.variables] == list(citing.MEANING)
+    assert list(here.claims) == list(citing.GIVENS)
     rows = {row.name: row.claim for part in parts.values() for row in part.obligations}
-    shown = {name: rows[row] for name, row in step.row_names().items()} | step.BETWEEN
+    shown = {name: rows[row] for name, row in citing.row_names().items()} | citing.BETWEEN
     for name, claim in shown.items():
-        assert substitute_claim(here.claims[name], step.MEANING) == claim, name
-    for name, constant in step.DEFINED.items():
-        meant = substitute_claim(here.claims[name], step.MEANING)
+        assert substitute_claim(here.claims[name], citing.MEANING) == claim, name
+    for name, constant in citing.DEFINED.items():
+        meant = substitute_claim(here.claims[name], citing.MEANING)
         assert (meant.relation, meant.lhs) == ("=", symbol(constant)), name
 
 
@@ -344,21 +347,21 @@ def test_the_step_does_not_apply_where_a_row_that_it_needs_is_not_proved(
     monkeypatch.setattr(Ground, "decide", broken)
     texts = {"r": "3/100", "c": "1", "V_0": "1", "delta_theta": "1/10"}
     outcome = decide_point({n: as_term_of(text) for n, text in texts.items()})
-    assert outcome.decisions[step.COLLAPSE] == Decision(UNDECIDED)
+    assert outcome.decisions[citing.COLLAPSE] == Decision(UNDECIDED)
     assert (outcome.verdict, headline(outcome)) == (verdict, verdict)
 
 
 def test_a_row_that_the_step_does_not_need_is_no_premise() -> None:
     """The final angle is within δ_θ by final-angle; that the drift is absorbed is not used."""
-    assert "angle-absorbed" not in step.row_names()
-    assert "final-angle" in step.row_names()
+    assert "angle-absorbed" not in citing.row_names()
+    assert "final-angle" in citing.row_names()
 
 
 def test_a_point_where_the_hypotheses_fail_cites_nothing() -> None:
     texts = {"r": "1/2", "c": "1", "V_0": "1", "delta_theta": "1/10"}
     outcome = decide_point({n: as_term_of(text) for n, text in texts.items()})
     assert outcome.statement.cites == ()
-    assert step.COLLAPSE not in outcome.decisions
+    assert citing.COLLAPSE not in outcome.decisions
 
 
 @pytest.mark.parametrize("point", [("3/100", "1"), ("1/1000", "3/10")])
@@ -367,7 +370,7 @@ def test_a_given_that_is_dropped_or_exchanged_is_refused(point: tuple[str, str])
     files = write(decide_point({n: as_term_of(text) for n, text in texts.items()}, "repaired"))
     cited = {name[6:-5]: data for name, data in files.items() if name.startswith("cited/")}
     certificate = json.loads(files["certificate.json"])
-    (last,) = [s for s in certificate["steps"] if s.get("obligation") == step.COLLAPSE]
+    (last,) = [s for s in certificate["steps"] if s.get("obligation") == citing.COLLAPSE]
     givens = last["proof"]["givens"]
     for changed in (givens[:-1], [*givens[1:], givens[0]], [*givens[:-1], "l.1"]):
         last["proof"]["givens"] = changed

@@ -21,8 +21,8 @@ from verify.paper.commands import (
     step,
     theorem1,
 )
+from verify.paper.commands.citing import STEP
 from verify.paper.parameters import ALL_PARAMETERS, THEOREM
-from verify.paper.step import STEP
 from verify.prover.outcome import Outcome
 from verify.spheres.scene.decide import UNDECIDED, decide_scene
 from verify.spheres.scene.scene_files import read_scene, scene_bytes

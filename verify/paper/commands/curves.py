@@ -15,6 +15,7 @@ from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 
+from verify.language.fold import fails, holds
 from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Choice, Constant, Obligation
 from verify.language.terms import Claim, Term, as_term, sqrt, symbol
@@ -25,7 +26,6 @@ from verify.prover.ground import Ground
 from verify.prover.outcome import Ends
 from verify.prover.program import Machine, Program
 from verify.prover.proof import LemmaStep
-from verify.prover.relations import fails, holds
 from verify.prover.rules import Interval
 from verify.prover.session import Session
 from verify.publication import REMARK

@@ -5,8 +5,8 @@ from __future__ import annotations
 from importlib.resources import files
 
 from verify.language.statement import NEEDED
+from verify.paper.commands.citing import MEANING, STEP
 from verify.paper.commands.pages import statement
-from verify.paper.step import MEANING, STEP
 from verify.paper.theorem1 import theorem
 from verify.publication import HYPOTHESES, REPAIRED
 from verify.views.findings import Whole

@@ -12,6 +12,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple
 
+from verify.language.fold import FAILS, HOLDS, OPEN
 from verify.language.statement import (
     NEEDED,
     PROVED,
@@ -22,16 +23,14 @@ from verify.language.statement import (
     Obligation,
 )
 from verify.language.terms import Claim, as_term
-from verify.paper.commands.citing import applies
+from verify.paper.commands.citing import COLLAPSE, applies
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.parameters import GROUPS, HYPOTHESES, PRINTED, REPAIRED
-from verify.paper.step import COLLAPSE
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.choices import Chooser, OpenChoiceError, entries_of
 from verify.prover.outcome import Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Proof
-from verify.prover.relations import FAILS, HOLDS, OPEN
 from verify.prover.rules import Interval, Sum
 from verify.prover.straight import StraightLine
 from verify.views.findings import ScannedPoint

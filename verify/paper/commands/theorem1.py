@@ -10,7 +10,6 @@ from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
 from verify.paper.commands.citing import with_step
 from verify.paper.parameters import HYPOTHESES, PRINTED, SELECTIONS
-from verify.paper.rows import graded
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.choices import BudgetError, choose
@@ -18,7 +17,7 @@ from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.ground import Enclosures, Ground
 from verify.prover.outcome import Decision, Outcome, conjunction
 from verify.prover.session import Session
-from verify.publication import OTHERWISE, REMARK
+from verify.publication import BREAKS, HARMLESS, OTHERWISE, REMARK
 
 
 class PointRun:
@@ -102,6 +101,38 @@ class PointRun:
         enclosures = dict(found) if self.all_sides else found
         steps = tuple(self.session.steps)
         return with_step(Outcome(statement, self.decisions, steps, enclosures, self.spent))
+
+
+def graded(row: Obligation, verdicts: Mapping[str, str]) -> Obligation:
+    """The row with the severity that follows from verdicts, where it has one that can be computed.
+
+    A step breaks the argument unless rows about the same constants do its work: then the paper
+    reaches its conclusion without it, and it is harmless. A slip of wording stays one.
+    """
+    if row.severity not in (BREAKS, HARMLESS) or row.name not in INSTEAD:
+        return row
+    instead = INSTEAD[row.name]
+    reached = bool(instead) and all(verdicts.get(name) == PROVED for name in instead)
+    return row._replace(severity=HARMLESS if reached else BREAKS)
+
+
+#: For each step of the printed proof of Theorem 1 that may be false, the printed rows that do its
+#: work if they hold: what the text concludes from the step, with nothing else than its constants.
+INSTEAD: Mapping[str, tuple[str, ...]] = {
+    "printed.set-interior": (),
+    "printed.norm-law-as-printed": (
+        "printed.norm-factor-2",
+        "printed.norm-c-upper",
+        "printed.norm-c-lower",
+    ),
+    "printed.zeta-x-bound": ("printed.zeta-total",),
+    "printed.zeta-term-2": ("printed.zeta-total",),
+    "printed.zeta-remainders": ("printed.zeta-total",),
+    "printed.zeta-total": (),
+    "printed.x-term-1-d": ("printed.x-term-1-factor",),
+    "printed.y-term-3": ("printed.y-term-3-factor",),
+    "printed.final-angle": (),
+}
 
 
 def decide_point(

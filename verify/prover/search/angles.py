@@ -10,10 +10,10 @@ from fractions import Fraction
 from math import ceil
 
 from verify.language.terms import Term, as_term, names_of, symbol
+from verify.prover.balls import fraction_of
 from verify.prover.clearing import Clearing, Polynomial
 from verify.prover.cosines import HALF, Relations
 from verify.prover.goal import Goal
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof
 from verify.prover.rules import Sum
 from verify.prover.session import Session

@@ -12,9 +12,9 @@ from fractions import Fraction
 
 from verify.language.fold import replaced
 from verify.language.terms import Claim, Term, as_term, equal, names_of, parts_of, symbol
+from verify.prover.balls import fraction_of
 from verify.prover.clearing import Clearing, Polynomial, atoms_of, coefficients, expanded
 from verify.prover.goal import Bounds
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value, power_of, product_of
 from verify.prover.rules import Define, Monotony, Sum
 from verify.prover.search.question import Question

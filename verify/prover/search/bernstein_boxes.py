@@ -14,10 +14,10 @@ from flint import fmpq, fmpq_mpoly
 
 from verify.language.record import Record
 from verify.language.terms import Term, symbol
+from verify.prover.balls import fraction_of
 from verify.prover.bernstein import ANY, Side, Tensor
 from verify.prover.clearing import Clearing, coefficients
 from verify.prover.goal import Goal
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value, every, product_of
 from verify.prover.rules import Cuts, Sum
 from verify.prover.search.question import Question

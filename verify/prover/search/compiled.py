@@ -14,7 +14,7 @@ from typing import Any
 from verify.language.fold import fold
 from verify.language.record import Record
 from verify.language.terms import Term
-from verify.prover.numbers import float_of
+from verify.prover.balls import float_of
 
 #: From the ends of all variables, low and high in turn, to the ends of each term.
 Ranges = Callable[..., tuple[float, ...]]

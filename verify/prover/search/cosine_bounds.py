@@ -14,10 +14,10 @@ from math import floor
 
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, as_term
+from verify.prover.balls import fmpq_of
 from verify.prover.clearing import Polynomial
 from verify.prover.cosines import HALF
 from verify.prover.goal import Bounds
-from verify.prover.numbers import fmpq_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cosine, Sum
 from verify.prover.search.angles import Linear

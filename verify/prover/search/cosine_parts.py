@@ -12,11 +12,11 @@ from math import ceil, floor
 
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, symbol
+from verify.prover.balls import fraction_of
 from verify.prover.bernstein import ANY, Side, Tensor
 from verify.prover.clearing import Polynomial
 from verify.prover.cosines import HALF
 from verify.prover.goal import Bounds
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value, every, product_of, sum_of
 from verify.prover.rules import Cuts, Interval, Sum
 from verify.prover.search.angles import Linear

@@ -15,7 +15,7 @@ from math import comb
 
 from flint import fmpq_mpoly
 
-from verify.prover.numbers import fraction_of
+from verify.prover.balls import fraction_of
 from verify.prover.proof import Proof, Value, every, power_of, product_of
 from verify.prover.rules import Cuts, Sum
 from verify.prover.search.question import Question

@@ -15,9 +15,9 @@ from flint import fmpq, fmpq_mpoly
 
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, symbol
+from verify.prover.balls import fmpq_of, fraction_of
 from verify.prover.clearing import BITS, Clearing, TooLongError, coefficients, expanded
 from verify.prover.goal import Bounds, Goal
-from verify.prover.numbers import fmpq_of, fraction_of
 from verify.prover.proof import Value
 
 #: Monomials, in scaled variables, of a polynomial that is looked at.

@@ -14,9 +14,9 @@ from math import prod
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from verify.language.record import Record
+from verify.prover.balls import fraction_of
 from verify.prover.budget import WorkBudget
 from verify.prover.clearing import ROOTS, Clearing, coefficients, index_of, variables_in
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Value, power_of, product_of, sum_of
 
 #: Polynomials that are looked at for one claim, one inside the other, and their monomials.

@@ -18,7 +18,7 @@ from typing import Any
 from flint import fmpq_mat, fmpq_mpoly
 
 from verify.language.record import Record
-from verify.prover.numbers import float_of, fmpq_of, fraction_of
+from verify.prover.balls import float_of, fmpq_of, fraction_of
 from verify.prover.search.semidefinite import Matrix, Solution
 
 #: Smaller pivots are those of rounding.

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
+from verify.prover.balls import fraction_of
 from verify.prover.clearing import expanded
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value, power_of, product_of
 from verify.prover.rules import Sum
 from verify.prover.search.question import Question

@@ -28,9 +28,9 @@ from verify.language.terms import (
     substitute_claim,
     symbol,
 )
+from verify.prover.balls import float_of, fmpq_of, fraction_of
 from verify.prover.clearing import Clearing, TooLongError, coefficients
 from verify.prover.goal import Bounds
-from verify.prover.numbers import float_of, fmpq_of, fraction_of
 from verify.prover.proof import Premise, Proof, Value, power_of, product_of
 from verify.prover.rules import Cuts, Derivative, Have, InRange, Interval, Law, Monotony, Sum
 from verify.prover.search.bernstein_boxes import on_interval

@@ -19,10 +19,10 @@ from verify.language.record import Record
 from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Claim, Term, as_term, names_of
 from verify.language.typeset import Typesetter
+from verify.prover.balls import fmpq_of, fraction_of
 from verify.prover.budget import SpentError, WorkBudget
 from verify.prover.clearing import Clearing, TooLongError
 from verify.prover.goal import bounds_of
-from verify.prover.numbers import fmpq_of, fraction_of
 from verify.prover.points import simple_points
 from verify.prover.search.compiled import estimates
 from verify.prover.search.local_minima import DISTANCES, Violations

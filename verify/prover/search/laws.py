@@ -17,8 +17,8 @@ from flint import fmpz
 
 from verify.language.fold import replaced
 from verify.language.terms import Claim, Term, as_term, equal, exp, log, parts_of
+from verify.prover.balls import fraction_of
 from verify.prover.clearing import Clearing, TooLongError, atoms_of
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, product_of
 from verify.prover.rules import Interval, Law, Monotony, Sum, same
 from verify.prover.search.question import Question

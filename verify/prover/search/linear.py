@@ -15,8 +15,8 @@ from flint import fmpq, fmpq_mpoly
 from verify.language.record import Record
 from verify.language.statement import Given
 from verify.language.terms import Claim, as_term, symbol
+from verify.prover.balls import fraction_of
 from verify.prover.clearing import TooLongError, expanded
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value, product_of
 from verify.prover.rules import Sum
 from verify.prover.search.question import Question

@@ -8,9 +8,9 @@ from fractions import Fraction
 from operator import gt
 
 from verify.language.terms import Claim, Term, names_of, parts_of
+from verify.prover.balls import float_of
 from verify.prover.budget import WorkBudget
 from verify.prover.goal import Bounds, Goal, definitions_below
-from verify.prover.numbers import float_of
 from verify.prover.search.compiled import estimates
 
 #: How many starts there are, and how many steps from each.

@@ -13,9 +13,9 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from verify.language.terms import Claim, Term, names_of, substitute
+from verify.prover.balls import float_of
 from verify.prover.budget import WorkBudget
 from verify.prover.goal import Bounds
-from verify.prover.numbers import float_of
 from verify.prover.proof import Proof
 from verify.prover.rules import MeanValue
 from verify.prover.search.compiled import estimates, range_function

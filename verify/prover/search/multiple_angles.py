@@ -13,9 +13,9 @@ from math import gcd
 
 from verify.language.fold import replaced
 from verify.language.terms import Claim, Term, as_term, equal
+from verify.prover.balls import fraction_of
 from verify.prover.clearing import Clearing, atoms_of
 from verify.prover.cosines import Relations, chebyshev
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof
 from verify.prover.rules import Sum, same
 from verify.prover.search.question import Question

@@ -15,9 +15,9 @@ from flint import fmpq, fmpq_mpoly
 
 from verify.language.record import Record
 from verify.language.terms import Claim, Term
+from verify.prover.balls import fraction_of
 from verify.prover.budget import WorkBudget
 from verify.prover.clearing import ATOMS, ROOTS, Clearing, expanded, inner_first, variables_in
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Value, product_of
 from verify.prover.rules import Sum
 from verify.prover.search.eliminated import Elimination, Fact

@@ -10,6 +10,7 @@ from fractions import Fraction
 
 from verify.language.fold import TERMS
 from verify.language.terms import Claim, Term, as_term, equal, symbol
+from verify.prover.balls import fraction_of
 from verify.prover.clearing import (
     Clearing,
     Polynomial,
@@ -18,7 +19,6 @@ from verify.prover.clearing import (
     inner_first,
     through,
 )
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof
 from verify.prover.rules import Monotony, Sum
 from verify.prover.search.question import Question

@@ -2,6 +2,10 @@
 
 By the theorems of Schmüdgen and Putinar a polynomial that is positive on a compact set given by
 inequalities is a sum of squares times products of them; what is tried are small degrees.
+
+A form that is no sum of squares may be one after it is multiplied by one. For a form p of degree 2d
+and t = x_1^2 + ... + x_n^2, let t p = A and p + s t = B be sums of squares, where s = c t^(d-1).
+Then G = -p > 0 cannot be, as G^2 + B G + s A = 0.
 """
 
 from __future__ import annotations
@@ -15,14 +19,13 @@ from flint import fmpq_mpoly
 
 from verify.language.record import Record
 from verify.language.terms import Term
+from verify.prover.balls import fraction_of
 from verify.prover.budget import WorkBudget
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Sum
 from verify.prover.search.bases import Gradings, all_monomials, pruned
 from verify.prover.search.domain import Domain, Factor, multiplied
 from verify.prover.search.faces import Block, vanishing, vanishing_near
-from verify.prover.search.forms import by_form
 from verify.prover.search.question import Question
 from verify.prover.search.squares import MAX_SIZE, Summand, decompose
 from verify.prover.search.zeros import zeros_in_floats
@@ -36,6 +39,8 @@ FEW = 6
 MAX_MONOMIALS = 2000
 #: Sums of more work for the checker are no proofs.
 MAX_UNITS = 5_500_000
+#: Forms of a higher degree are not multiplied by one.
+MAX_DEGREE = 8
 
 
 class Attempt(Record):
@@ -245,3 +250,46 @@ def _connected(domain: Domain) -> list[int]:
     while more := [s for s in sets if s & used and not s <= used]:
         used.update(*more)
     return sorted(used)
+
+
+def by_form(
+    domain: Domain, zeros: Sequence[Sequence[float]], budget: WorkBudget, using: tuple[str, ...]
+) -> Sum | None:
+    """A proof of p >= 0 for a form p on the whole space; ``zeros`` are some of p."""
+    p, used = domain.p, domain.used
+    degrees = {sum(map(int, m)) for m in p.monoms()}
+    if domain.strict or domain.facts or len(degrees) != 1 or any(s.m for s in domain.scales):
+        return None
+    half, odd = divmod(degrees.pop(), 2)
+    if odd or not 2 <= half <= MAX_DEGREE // 2:
+        return None
+    t = sum((domain.gens[i] ** 2 for i in used), domain.number(0))
+    times = _squares(domain, p * t, pruned(domain, p * t, half + 1, used), zeros, budget)
+    if times is None:
+        return None
+    c = max(abs(fraction_of(value)) for value in p.coeffs()) * len(p)
+    basis = all_monomials(domain, half, used, exact=True)
+    plus = _squares(domain, p + domain.number(c) * t**half, basis, (), budget)
+    if plus is None:
+        return None
+    sphere: Value = ("add", *(("square", domain.atoms[i]) for i in used))
+    s: Value = ("mul", str(c), sphere if half == 2 else ("pow", sphere, half - 1))
+    values: list[Value] = [("pow", "goal", 2), ("mul", "goal", _sum(domain, plus))]
+    return Sum((*values, ("mul", s, _sum(domain, times))), using)
+
+
+def _squares(
+    domain: Domain,
+    p: fmpq_mpoly,
+    basis: tuple[fmpq_mpoly, ...],
+    zeros: Sequence[Sequence[float]],
+    budget: WorkBudget,
+) -> list[Summand] | None:
+    one = domain.number(1)
+    block = vanishing_near(Block(0, basis), one, zeros)
+    return decompose(p, domain, [one], [block], budget)
+
+
+def _sum(domain: Domain, terms: Sequence[Summand]) -> Value:
+    values: list[Value] = [("mul", str(w), ("square", domain.term(q))) for w, _, q in terms]
+    return values[0] if len(values) == 1 else ("add", *values)

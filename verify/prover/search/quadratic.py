@@ -7,7 +7,7 @@ from fractions import Fraction
 from flint import fmpq_mpoly
 
 from verify.language.record import TYPE_CHECKING
-from verify.prover.numbers import fraction_of
+from verify.prover.balls import fraction_of
 from verify.prover.proof import Proof
 from verify.prover.search.domain import Domain, Factor
 from verify.prover.search.question import Question

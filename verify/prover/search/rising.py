@@ -18,8 +18,8 @@ from flint import fmpq_mpoly
 
 from verify.language.fold import replaced
 from verify.language.terms import Claim, Term, as_term, equal, names_of
+from verify.prover.balls import fmpq_of, fraction_of
 from verify.prover.clearing import ROOTS, Clearing, TooLongError, atoms_of, coefficients, index_of
-from verify.prover.numbers import fmpq_of, fraction_of
 from verify.prover.proof import Proof, Value, power_of, product_of
 from verify.prover.rules import Monotony, Sum
 from verify.prover.search.question import Question

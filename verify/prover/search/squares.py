@@ -20,8 +20,8 @@ from fractions import Fraction
 from flint import fmpq, fmpq_mat, fmpq_mpoly
 
 from verify.language.record import Record
+from verify.prover.balls import float_of, fmpq_of, fraction_of
 from verify.prover.budget import WorkBudget
-from verify.prover.numbers import float_of, fmpq_of, fraction_of
 from verify.prover.search.domain import Domain
 from verify.prover.search.faces import Block, faces
 from verify.prover.search.semidefinite import HOPELESS, Entry, Equations, Solution, Solver

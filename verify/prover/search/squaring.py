@@ -20,8 +20,8 @@ from flint import fmpq_mpoly
 
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, maximum
+from verify.prover.balls import float_of
 from verify.prover.clearing import atoms_of, coefficients
-from verify.prover.numbers import float_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cases, Sum
 from verify.prover.search.local_minima import Minima

@@ -12,14 +12,14 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 
+from verify.language.fold import holds
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, symbol
+from verify.prover.balls import float_of
 from verify.prover.budget import WorkBudget
 from verify.prover.clearing import inner_first, through
 from verify.prover.goal import Bounds
-from verify.prover.numbers import float_of
 from verify.prover.proof import Proof, every
-from verify.prover.relations import holds
 from verify.prover.rules import Cuts, Interval
 from verify.prover.search.compiled import Ranges, range_function
 from verify.prover.search.exact import ExactRanges

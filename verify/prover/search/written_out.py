@@ -7,8 +7,8 @@ from fractions import Fraction
 
 from verify.language.fold import replaced
 from verify.language.terms import Claim, Term, as_term, equal, names_of, parts_of, symbol
+from verify.prover.balls import fraction_of
 from verify.prover.clearing import Clearing, atoms_of, inner_first
-from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, product_of
 from verify.prover.rules import Antisymmetry, Monotony, Sum
 from verify.prover.search.laws import Laws

@@ -12,10 +12,10 @@ from fractions import Fraction
 from flint import fmpq_mpoly
 
 from verify.language.terms import Claim, symbol
+from verify.prover.balls import float_of, fmpq_of
 from verify.prover.budget import WorkBudget
 from verify.prover.clearing import expanded
 from verify.prover.goal import Bounds, Goal
-from verify.prover.numbers import float_of, fmpq_of
 from verify.prover.search.domain import Domain
 from verify.prover.search.faces import gauss, value_at
 from verify.prover.search.local_minima import Minima

@@ -1,4 +1,8 @@
-"""The saddle of the limiting map, enclosed by an interval Newton step in balls."""
+"""The limiting map, what becomes of one collision as -eta_c goes to 0, and its saddle.
+
+The map is one of (φ1, φ2) that depends on r and C; the saddle is enclosed by an interval Newton
+step in balls.
+"""
 
 from __future__ import annotations
 
@@ -8,13 +12,34 @@ from typing import Any
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.spheres.map.limit import has_limit, limit_map
+from verify.spheres.flow.law import Number
 from verify.spheres.map.planes import Phi
 
 Ends = tuple[Fraction, Fraction]
 BITS, ROUNDS = 192, 60
 #: The radius of the square in which the saddle is shown to be.
 RADIUS = Fraction(1, 10**20)
+
+
+def has_limit(plane: Phi) -> bool:
+    """Whether one map is the limit at every collision: the tangential speeds are the same."""
+    u_c, u_s = plane.tangential
+    return u_c**2 == u_s**2
+
+
+def limit_map(
+    plane: Phi,
+    phi_1: Number,
+    phi_2: Number,
+    number: Callable[[Fraction], Number],
+    root: Callable[[Number], Number],
+) -> tuple[Number, Number]:
+    """The ratios after the next collision, by the law without its terms that have η or d."""
+    r, C, A = number(plane.r), number(plane.neg_cos), number(plane.tangential[0] ** 2)
+    s = root(1 - 2 * A * phi_2)
+    T = 2 * phi_2 / (1 + s)
+    ratio = (1 + r) / 2 * s * C - phi_1 - A * T
+    return r * s / ratio, (phi_1 * T + A * T * T / 2) / (ratio * ratio)
 
 
 class Saddle(Record):

@@ -27,8 +27,7 @@ from verify.views.plots.collapse import animation, film
 from verify.views.plots.drawing import SCHEMES, standalone, svg
 from verify.views.plots.letters import letters_drawing
 from verify.views.plots.shapes import Figure, Panel
-from verify.views.point import in_numbers, place
-from verify.views.screen import causes
+from verify.views.point import causes, in_numbers, place
 from verify.views.typesetting import TEMPLATES, in_html
 
 TITLE = "Three particles collapse: what is proved"

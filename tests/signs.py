@@ -277,8 +277,8 @@ so(
 )
 so(
     P,
-    "collapse if 4r < bb'; for equal masses that is r < 7 - 4√3.",
-    has("certificates/line/report.md", "r <= bb'Q(1 - Q) and 2Q < 1"),
+    "b = (1+r)m/(m_o + m) for an outer particle of mass m, and b' for the other one",
+    has("certificates/line/report.md", "b is (1+r) m_c/(m_0 + m_c), and b' is"),
 )
 P = "docs/contributing/function.md"
 so(P, "operations + - · /,", has("verify/check.py", "FUNCTIONS"))

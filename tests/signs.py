@@ -275,6 +275,11 @@ so(
     "angular momentum is not 0" in " ".join(THEOREMS)
     or has("docs/explanation/classification.md", "IV b"),
 )
+so(
+    P,
+    "b = (1+r)m/(m_o + m) for an outer particle of mass m, and b' for the other one",
+    has("certificates/line/report.md", "b is (1+r) m_c/(m_0 + m_c), and b' is"),
+)
 P = "docs/contributing/function.md"
 so(P, "operations + - · /,", has("verify/check.py", "FUNCTIONS"))
 so(P, "`maximum(a, -a)`", has("verify/language/terms.py", "maximum(number, -as_term(number))"))

@@ -100,9 +100,9 @@ def _plane_of(found: check_map.Plane) -> Plane | BorderStrip:
 
 
 def story(scene: Scene) -> Story | None:
-    """What there is to show of a scene; None if it is not proved to collapse."""
-    found = decide_scene(scene, Budget(digits=DIGITS))
-    if found.collapse is None:
+    """What there is to show of a scene of equal spheres; None if it is not proved to collapse."""
+    found = decide_scene(scene, Budget(digits=DIGITS)) if scene.bodies is None else None
+    if found is None or found.collapse is None:
         return None
     return Story(told(found), tuple(steps(found)), tuple(_instants(found)))
 

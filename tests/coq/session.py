@@ -54,9 +54,17 @@ class Session:
         raise ValueError("Coq stops")
 
     def first_that_fails(self, parts: dict[str, str]) -> str:
-        """The first of some modules in which there is an error, or empty; all are forgotten."""
+        """The first of some modules in which there is an error, or empty; all are forgotten.
+
+        What comes after the proof with the error is not read.
+        """
+        pieces = (
+            (name, piece)
+            for name, text in parts.items()
+            for piece in re.split(r"(?<=\bQed\.)\n", text)
+        )
         try:
-            return next((name for name, text in parts.items() if self.fails(text)), "")
+            return next((name for name, piece in pieces if self.fails(piece)), "")
         finally:
             if self.fails(f"BackTo {READY}."):
                 raise ValueError("Coq does not forget")

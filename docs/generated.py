@@ -199,11 +199,21 @@ RUNS = {
     "classification": ("classification", "`check.py`"),
     "separatrix --all": ("separatrix", "`check.py`"),
     "the sandwich theorem": ("sandwich", "`check.py`"),
+    "the theorem on any three balls": ("three-balls", "`check.py`"),
     "its other half, outside the set": ("outside", "`check.py`"),
     "the printed set": ("printed-set", "`check.py`"),
     "the printed sign, which makes the theorem false": ("printed-sign", "`check.py`"),
 }
 
+
+#: What Coq proves from its definitions alone, without a certificate, by the name of the theorem.
+FROM_DEFINITIONS = {
+    "classification, of it I to IV b for three equal balls": (
+        "PinnedClassification.classification_proved"
+    ),
+    "the printed sign, which makes the theorem false": "PinnedPrintedSign.printed_sign_proved",
+    "the spectrum": "PinnedSpectrum.spectrum_proved",
+}
 
 #: What one believes who takes the word of a judge.
 BELIEVED = {
@@ -263,6 +273,11 @@ def believed_and_proved() -> str:
             proofs = [f"none is needed where Coq has a theorem, as it has for `{folder}`"]
             believed = [f"that `{theorem}` says what is meant (definition)"]
         rows.append([name, judge, answer, ", ".join(proofs) or "–", ", ".join(believed) or "–"])
+    for name, theorem in FROM_DEFINITIONS.items():
+        if theorem in in_coq()["theorems"]:
+            page = theorem.partition(".")[0]
+            says = f"that `{page}.v` says what is meant (definitions)"
+            rows.append([name, "Coq", "no certificate", f"none is needed: `{theorem}`", says])
     head = ("What you run", "Judge", "Accepted by Coq", "Sentences proved in Coq", "Believed")
     return table(head, rows)
 

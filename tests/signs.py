@@ -275,11 +275,6 @@ so(
     "angular momentum is not 0" in " ".join(THEOREMS)
     or has("docs/explanation/classification.md", "IV b"),
 )
-so(
-    P,
-    "collapse if 4r < bb'; for equal masses that is r < 7 - 4√3.",
-    has("certificates/line/report.md", "r <= bb'Q(1 - Q) and 2Q < 1"),
-)
 P = "docs/contributing/function.md"
 so(P, "operations + - · /,", has("verify/check.py", "FUNCTIONS"))
 so(P, "`maximum(a, -a)`", has("verify/language/terms.py", "maximum(number, -as_term(number))"))

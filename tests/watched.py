@@ -400,6 +400,31 @@ said(
 said(P, "Γ bounds 1 + d, and", by=row("sandwich", "reach-here").replace("d ≤ Γ", "d,"))
 said(P, "1 - √(1-ζ), which", by=row("sandwich", "exact-p"))
 
+THREE = file("verify/paper/three_balls.toml")
+said(P, "the distance at which 0 touches i, and take X_i = (x_i - x_0)/σ_i and", by=THREE)
+said(
+    P, "V_i = (v_i - v_0)/σ_i in place of x_i - x_0 and W_i, so that contact is |X_i| = 1", by=THREE
+)
+said(P, "and Y₀Y₁ < 1.", by=given("Y₀Y₁<1", "0 < 1 - Y_0*Y_1" in THREE))
+said(
+    P,
+    "that of 1-2 plays no part",
+    by=given(
+        "1-2",
+        "restitution for each of the two pairs that collide"
+        in " ".join(THREE.replace("#", "").split()),
+    ),
+)
+said(
+    P,
+    "Y = (1+r)Γ/2 and k = 0",
+    by=coded(
+        "Y=(1+r)Γ/2 k=0",
+        "tests/paper/three_balls/equal.toml",
+        "Y_0 = Lambda, Y_1 = Lambda, k_0 = 0",
+    ),
+)
+
 P = "docs/explanation/separatrix.md"
 said(P, "becomes 1/ρ at", by=true("1/ρ = R", lambda draw: {"ρ": mpf(2), "R": mpf(1) / 2}))
 said(P, "u(2 - u) = 2 φ₂ |W_c|²;", by=true("u(2 - u) = 2 φ₂ |W_c|²", limit_map))
@@ -551,19 +576,27 @@ said(
 )
 said(
     P,
-    "b = (1+r)m/(m_o + m), the",
+    "b = (1+r)m/(m_o + m) for an outer particle",
     by=coded("b=(1+r)m/(m_o+m)", "certificates/line/report.md", "b is (1+r) m_c/(m_0 + m_c)"),
 )
 said(
     P,
-    "if 4r < bb'",
-    by=coded("4r<bb'", "certificates/line/report.md", "r <= bb'Q(1 - Q) and 2Q < 1"),
+    "bb' cos²θ > 4r:",
+    by=coded("bb'cos²θ>4r", "certificates/line/report.md", "r <= bb'Q(1 - Q) and 2Q < 1"),
+)
+SMALL = "certificates/scenes/small-bead.toml"
+said(
+    P,
+    "Here r = 4/5, and the three balls have one density; the one in the middle has 15 % of",
+    by=coded("15 %", SMALL, "15 % of the") + coded(" r=4/5", SMALL, 'r = "4/5"'),
 )
 said(
     P,
-    "diameters that are 1 and",
-    by=coded("1", "verify/paper/step.toml", "equal mass and diameter 1"),
+    "of their mass at r = 3/10",
+    by=coded("r=3/10", "certificates/scenes/bead.toml", 'r = "3/10"'),
 )
+LIGHT = "certificates/scenes/light-bead.toml"
+said(P, "a thousandth at r = 9/10", by=coded("r=9/10", LIGHT, 'r = "9/10"'))
 P = "docs/howto/second-checker.md"
 for word in ("PROVED", "REFUSED", "MALFORMED"):
     said(P, "| {} |", OF_CHECKER[word])

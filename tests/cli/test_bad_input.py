@@ -126,7 +126,17 @@ def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["theorem1", "--r"], "--r: its value is missing"),
         ([PARTING], f"write one before it: scene {PARTING}"),
         (["words.json"], "write one before it: prove words.json"),
-        (["teorem1"], "is not a command; write one of"),
+        (["teorem1"], "is not a command; did you mean theorem1?"),
+        (["foo"], "is not a command; write one of"),
+        (["theorem1", "--v0", "1"], "'--v0' is no option (did you mean --V0?); see"),
+        (
+            ["theorem1", "--r", "0.03", "--V0", "1,000"],
+            "write 1000, or 1.000 if the comma is a decimal comma",
+        ),
+        (["theorem1", "--r", "0.03", "--V0", "1_000"], "write 1000"),
+        (["theorem1", "--r", "0.03", "--V0", "1 000"], "write 1000"),
+        (["theorem1", "--r", "0.03", "--V0", "1.000.000,5"], "write 1000000.5"),
+        (["theorem1", "--r", "0.03", "--V0", "0,030"], "write 0.030"),
         ([], "no command; write one of"),
     ],
 )

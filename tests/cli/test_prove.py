@@ -289,6 +289,31 @@ def test_cited_certificates_are_carried_along(
         assert "does not accept cited/'mean.certificate.json'" in captured.err
 
 
+def test_a_folder_as_it_is_written_is_cited(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Also one that cites another one itself; and what the checker does not accept is named."""
+    pages = {
+        "a": ("", "a", "0 < 1 + 1"),
+        "b": ('[cites]\nm = "a"\n', "b", "0 < 1"),
+        "c": ('[cites]\nm = "b"\n', "c", "0 < 2"),
+    }
+    for name, (cites, title, claim) in pages.items():
+        (tmp_path / f"{name}.toml").write_text(
+            f'title = "{title}"\n{cites}[rows]\nr{name} = "{claim}"\n'
+        )
+    use = ["prove", str(tmp_path / "b.toml"), "--out", str(tmp_path / "cited/b")]
+    assert main(use) == 2
+    assert "verify prove ITS_PAGE --out cited/m" in capsys.readouterr().err
+    assert main(["prove", str(tmp_path / "a.toml"), "--out", str(tmp_path / "cited/a")]) == 0
+    assert main(use) == 0
+    assert main(["prove", str(tmp_path / "c.toml"), "--out", str(tmp_path / "out")]) == 0
+    assert main(["check", str(tmp_path / "out")]) == 0
+    (tmp_path / "cited/a/certificate.json").write_bytes(b"{}")
+    assert main(["prove", str(tmp_path / "c.toml")]) == 2
+    assert "does not accept cited/'a.certificate.json'" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("kind", ["pipe", "folder", "too much"])
 def test_what_lies_in_the_folder_of_citations(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, kind: str

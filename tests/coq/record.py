@@ -7,12 +7,14 @@ DIRECTORY has the file ``checked``, a line for each certificate with its folder;
 which Coq prints the statements that it has proved; ``counts``, how many controls and lies were
 refused and accepted; and ``version``. Each printed statement has to say what ``statement.json``
 says, whose digest is then recorded. Where the file of a certificate ends in a theorem on three
-balls, for which Everything.v asks, the definition is recorded that says what it says.
+balls, for which Everything.v asks, the definition is recorded that says what it says. So are the
+theorems on the pages that can be read alone.
 """
 
 from __future__ import annotations
 
 import json
+import re
 import sys
 from hashlib import sha256
 from pathlib import Path
@@ -20,7 +22,7 @@ from typing import Any
 
 from tests.coq.closing import ROOT as CERTIFICATES
 from tests.coq.closing import module
-from tests.coq.everything import AFTER_FLOW, SAYS, folders
+from tests.coq.everything import AFTER_FLOW, SAYS, everything, folders
 from tests.coq.readback import Exported, Interner, Written, as_exported
 
 ROOT = CERTIFICATES.parent
@@ -79,7 +81,15 @@ def found(directory: Path) -> dict[str, Any]:
         said_by_coq(CERTIFICATES / folder_name, printed, available, name)
     counts = dict(line.split(": ") for line in (directory / "counts").read_text().splitlines())
     version = (directory / "version").read_text().strip()
-    return {"format": 1, "coq": version, "counts": counts, "certificates": certificates}
+    return {
+        "format": 1, "coq": version, "counts": counts, "theorems": theorems(),
+        "certificates": certificates,
+    }  # fmt: skip
+
+
+def theorems() -> list[str]:
+    """The theorems on the pages that can be read alone, for which Everything.v asks."""
+    return re.findall(r":= ((?:Pinned\w*|SeparatrixProof)\.\w+)\.$", everything([]), re.MULTILINE)
 
 
 def _item(folder: Path, digest: str) -> dict[str, str]:

@@ -29,6 +29,7 @@ from tests.lies.lies import honest
 from verify import check
 from verify.cli import main
 from verify.wire.coq.export import export
+from verify.wire.coq.named import called, named
 from verify.wire.coq.reading import NotAcceptedError
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -196,6 +197,21 @@ def test_a_scene_that_disperses_ends_in_its_theorem(
     ]
     places = dispersing(name).partition("Theorem1.Scene ")[2].partition(") (fun")[0]
     assert f"Definition the_scene_0 : Theorem1.scene := Theorem1.Scene {places}" in text
+
+
+@pytest.mark.parametrize(
+    ("file", "name"), [("Step", "step"), ("All", "theorem1-all"), ("Flow", "flow")]
+)
+def test_the_rows_that_theorems_name_are_exported_and_no_others(file: str, name: str) -> None:
+    (folder,) = check.read_folders([str(ROOT / "certificates" / name)])
+    text, whole = named(file, folder), export(folder, ordinary=True)
+    words = called(file)
+    assert words
+    assert [word for word in words if not re.search(rf"\b{word}\b", text)] == []
+    rows, all_rows = (set(re.findall(r"^Definition row_of_(\w+) ", x, re.M)) for x in (text, whole))
+    assert rows < all_rows
+    assert {row for row in all_rows if {row, f"row_of_{row}", f"row_of_{row}_is"} & words} == rows
+    assert len(text) < len(whole) * 2 / 3
 
 
 @pytest.mark.parametrize("name", COLLAPSING)

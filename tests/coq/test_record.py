@@ -13,7 +13,7 @@ from docs import generated
 from docs.generated import believed_and_proved
 from tests.coq.closing import BALLS
 from tests.coq.everything import SAYS, SCENES
-from tests.coq.record import RECORD
+from tests.coq.record import RECORD, theorems
 from verify.views.findings import CoqRecord
 from verify.views.page.build import checked_in_coq
 from verify.wire.packaged import checked
@@ -51,6 +51,18 @@ def test_where_coq_has_a_theorem_on_the_balls_no_sentence_is_believed() -> None:
     assert len(scenes) == len(SCENES)
     for said, theorem in zip(sorted(scenes.values()), sorted(SCENES), strict=True):
         assert said == f"that `{theorem}` says what is meant (definition)"
+
+
+def test_what_coq_proves_from_definitions_is_in_the_record(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    record = json.loads(RECORD.read_text())
+    assert record["theorems"] == theorems()
+    assert {*generated.FROM_DEFINITIONS.values()} <= {*theorems()}
+    names = [line.split(" | ")[0] for line in believed_and_proved().splitlines()]
+    monkeypatch.setattr(generated, "in_coq", lambda: record | {"theorems": []})
+    fewer = [line.split(" | ")[0] for line in believed_and_proved().splitlines()]
+    assert len(names) == len(fewer) + len(generated.FROM_DEFINITIONS)
 
 
 def test_without_the_record_the_sentences_are_believed(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -50,6 +50,50 @@ def functions_of_functions() -> str:
 
 
 @page
+def sums_of_functions_that_are_sums() -> str:
+    let = '"f(x)" = "sum(k*x, k, 1, 1000)"\n"g(x)" = "sum(f(k*x), k, 1, 1000)"\n'
+    return f"title = 't'\n[let]\n{let}[rows]\na = 'sum(g(k), k, 1, 1000) > 0'\n"
+
+
+@page
+def sums_in_products_of_vectors() -> str:
+    inner = "x"
+    for letter in "ijk":
+        inner = f"sum(dot({inner}*V, V), {letter}, 1, 900)"
+    given = "variables = 'x'\ngiven = ['0 <= x <= 1']\ngram = { V = '1' }"
+    return f"title = 't'\n[contexts.c]\n{given}\nrows = {{ a = '{inner} > 0' }}\n"
+
+
+@page
+def entries_of_a_long_minimum() -> str:
+    least = ", ".join(f"x + {i}" for i in range(9000))
+    context = f"variables = 'x'\ngiven = ['0 <= x <= 1']\nconstants = {{ m = 'min({least})' }}"
+    return (
+        f"title = 't'\n[contexts.c]\n{context}\n[[chapters]]\nin = 'c'\n[chapters.rows]\n"
+        "l = { entries = 'm', says = 'entry {i}' }\n"
+    )
+
+
+@page
+def many_sets_with_many_rows() -> str:
+    sets = "".join(f"s{i} = 'needed'\n" for i in range(2000))
+    names = ", ".join(f"'s{i}'" for i in range(2000))
+    rows = "".join(f"r{i} = {{ claim = 'b < {i + 2}' }}\n" for i in range(500))
+    chapter = f"[[chapters]]\nin = [{names}]\nconstants = {{ b = '1' }}\n[chapters.rows]\n{rows}"
+    return f"title = 't'\n[sets]\n{sets}{chapter}"
+
+
+@page
+def products_in_parentheses() -> str:
+    by = "(" * 20_000 + "c.1" + ")" * 20_000
+    context = "[contexts.c]\nvariables = 'x'\ngiven = ['0 <= x <= 1']\n"
+    return (
+        f"title = 't'\n{context}[[chapters]]\nin = 'c'\n[chapters.rows]\n"
+        f"l = {{ claim = '0 <= x', by = 'goal*{by}' }}\n"
+    )
+
+
+@page
 def powers_of_matrices() -> str:
     entries = [[f"1/{i + j + 2}" for i in range(8)] for j in range(8)]
     let = f"A_0 = {entries}\n" + "".join(f"A_{k} = 'A_{k - 1}*A_{k - 1}'\n" for k in range(1, 40))

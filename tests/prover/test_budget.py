@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import gc
+import signal
+import sys
 import time
+from contextlib import contextmanager
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -74,6 +78,18 @@ def test_an_alarm_at_the_end_of_a_check_ends_no_program(monkeypatch: pytest.Monk
     asked = read_page_of("a.toml", page(["x"], ["0 <= x"], "0 <= x + 1"), {}).statement
     found = decide(asked, WorkBudget(seconds=SECONDS / 2))
     assert found.decisions["row"].verdict in ("proved", "undecided")
+
+
+def test_an_alarm_is_silent_where_its_block_is_left() -> None:
+    """An error there would leave it ringing, in whatever comes next."""
+    ended = contextmanager(lambda: iter([0]))().__exit__
+    inner = (ended.__func__.__code__, WorkBudget.alarm.__wrapped__.__code__)
+    with WorkBudget(seconds=60).alarm():
+        ring: Any = signal.getsignal(signal.SIGALRM)
+        for code in inner:
+            ring(signal.SIGALRM, SimpleNamespace(f_code=code))
+        with pytest.raises(SpentError):
+            ring(signal.SIGALRM, sys._getframe())
 
 
 def test_an_alarm_rings_only_inside() -> None:

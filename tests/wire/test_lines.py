@@ -160,6 +160,38 @@ def test_what_cannot_be_meant_is_refused(old: str, new: str) -> None:
         read_page("p.toml", changed(old, new).encode())
 
 
+NESTED = """
+title = "t"
+[contexts.out]
+variables = ["x"]
+given = ["0 < x", "x < 1"]
+[contexts.inside]
+in = "out"
+variables = ["y"]
+given = ["0 < y", "y < x"]
+states = { half = "y = x/2" }
+[rows]
+below = "y < x"
+[[chapters]]
+in = "inside"
+[chapters.rows]
+named = { claim = "y <= x/4", false_at = "half", role = "printed" }
+written = { claim = "y <= x/4", false_at = "y = x/2", role = "printed" }
+true-there = { claim = "y <= x/4", false_at = "y = x/5", role = "printed" }
+outside = { claim = "y <= x/4", false_at = "y = 2*x", role = "printed" }
+"""
+
+
+def test_a_claim_is_false_at_values_in_terms_of_the_context_around() -> None:
+    assert verdicts(NESTED) == {
+        "below": PROVED,
+        "named": REFUTED,
+        "written": REFUTED,
+        "true-there": UNDECIDED,
+        "outside": UNDECIDED,
+    }
+
+
 def test_the_points_of_contexts_are_shown_by_what_they_name() -> None:
     inner = """
 [contexts.inner]

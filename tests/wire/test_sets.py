@@ -130,6 +130,7 @@ def test_a_constant_that_may_be_chosen_is_a_short_decimal_on_its_side(tmp_path: 
         ('choose = "up", above', "above", "above"),
         ('b = { value = "min(bounds)"', '"none.b" = { value = "min(bounds)"', "none.b"),
         ('"new.own" =', '"new.small" =', "new.small"),
+        ('b = { value = "min(bounds)"', 'bounds = { value = "min(bounds)"', "something else"),
         ('"old.only" = { claim = "b = q"', '"old.only" = { claim = "u = q"', "u"),
         ('above = "1/8"', 'above = "q/q + sqrt(3)"', "not rational"),
         ('value = "q/3"', 'value = "-q"', "positive"),

@@ -254,6 +254,40 @@ def test_greek_names_may_be_written() -> None:
     assert statement.obligations[0].claim == (symbol("epsilon_0") < 1)
 
 
+@pytest.mark.parametrize(
+    ("tables", "formula", "says"),
+    [
+        ('[constants]\nb = 3\neta = 5\nbeta = "1/2"', "bη < 1", r"write b\*η"),
+        ("[constants]\nx_11 = 1", "x1₁ < 2", "x1_1"),
+        ('[constants]\n"bη" = 1', "beta < 2", "bη"),
+        ("[constants]\nalpha = 10", "sum(alpha, α, 1, 3) = 30", "no new letter"),
+        ('[let]\n"δ" = 2\n[constants]\ndelta = 1', "δ > delta", "something else"),
+        ('[let]\n"f(δ)" = "δ"', "1 < 2", "no name"),
+        ('[let]\n"x^2" = 5\n[constants]\nx = 1', "x^2 < 2", "no name"),
+    ],
+)
+def test_a_name_stands_for_one_thing(tables: str, formula: str, says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        read(f'title = "t"\n{tables}\n[rows]\na = "{formula}"\n')
+
+
+def test_names_that_are_written_alike_are_one() -> None:
+    page = 'title = "t"\n[let]\n"δ₁" = 2\n[rows]\na = "δ_1 < sum(α*alpha, α, 1, 3)"\n'
+    (row,) = read(page).obligations
+    assert row.claim == (as_term(2) < as_term(1) * 1 + as_term(2) * 2 + as_term(3) * 3)
+
+
+def test_a_variable_has_one_value() -> None:
+    page = 'title = "t"\n[contexts.b]\nvariables = "x"\n[contexts.c]\nvariables = "x"\n'
+    for where in (
+        'point = { x = 1, "c.x" = 2 }\n[rows]\na = "c.x < 3"\n',
+        'states = { s = "x = 1, c.x = 2" }\n[rows]\na = "c.x < 3"\n',
+        '[rows]\na = { applies = "c", at = { x = 1, "c.x" = 2 } }\n',
+    ):
+        with pytest.raises(InputError, match=r"'c.x' has two values"):
+            read(page + where)
+
+
 def test_a_point_on_a_curve_is_asked_for() -> None:
     page = 'title = "t"\n[contexts.c]\nvariables = ["x", "y"]\ngiven = ["exp(x) + exp(y) = 7"]\n'
     with pytest.raises(InputError, match=r"line 2: contexts.c: no point was found .* point = "):
@@ -347,7 +381,7 @@ def test_an_induction() -> None:
         ('"1 + sqrt(2)"', '"sum(1/k, k, 0, 2)"', "divides by zero"),
         ('"1 + sqrt(2)"', '"sum(k 2, k, 1, 2)"', "'2' follows, and does not belong there"),
         ('"1 + sqrt(2)"', '"1 # 2"', "cannot read '# 2'"),
-        ('"1 + sqrt(2)"', '"2,50"', "',' follows, and does not belong there; write a point: 2.50"),
+        ('"1 + sqrt(2)"', '"2,50"', "',' follows, and does not belong there; write 2.50"),
         ('"y < d"', '"y =< d"', "'<' follows, where a number or a name is missing; write <="),
         ('"y < d"', '"y => d"', "'>' follows, where a number or a name is missing; write >="),
         ('"1 + sqrt(2)"', '"int(k^2, k, 0, 1)"', "'int' is no function; did you mean"),
@@ -393,6 +427,68 @@ def test_what_is_said_of_a_mistake(old: str, new: str, says: str) -> None:
     assert message.startswith("page.toml")
     assert says in message
     assert "\n" not in message
+
+
+@pytest.mark.parametrize(
+    ("claim", "says"),
+    [
+        ("x(1) < 2", "write x*(...)"),
+        ("1_000 < x", "write 1000"),
+        ("1,000 < x", "write 1000, or 1.000 if the comma is a decimal comma"),
+        ("1 000 < x", "write 1000"),
+        ("1'000 < x", "write 1000"),
+        ("x < 1,5", "write 1.5"),
+        ("x < 1.2.3", "1.2.3 is no number"),
+        ("x < 1;", "leave it out"),
+        ("x < ∞", "leave a bound out that is infinite"),
+        ("x < oo", "leave a bound out that is infinite"),
+        ("x < 1 => y < 1", "write >=, or what is given under contexts"),
+        ("x < 1 ⇒ y < 1", "write what is given under contexts"),
+        ("x =< 1", "write <="),
+        ("x <> 1", "write !="),
+        ("x =! y", "write !="),
+        ("sqrt 2 < x", "write sqrt(2)"),
+        ("sin x < 1", "write sin(x)"),
+        ("sin²(x) < 1", "write sin(...)^2"),
+        ("cos^2(x) < 1", "write cos(...)^2"),
+        ("x in [0, 1]", "write 0 <= x <= 1"),
+        ("x ∈ [0, 1]", "write 0 <= x <= 1"),
+        ("x < 1e", "write 1e-3, or 1*e"),
+        ("2x < 1", "write 2*x"),
+        ("|x < 1", "where | is missing"),
+        ("pi() < 4", "it is a number; write pi"),
+        ("max(x) < 1", "max is of at least two terms"),
+        ("x! < 1", "write prod(k, k, 1, 5) for 5!"),
+        ("x < y && y < 1", "write and"),
+        ("x < y || y < 1", "write or"),
+        ("x mod 2 < 1", "there are no remainders"),
+        ("x < 50%", "write 1/2 for 50%"),
+        ("x < 90°", "write a*pi/180"),
+        ("½ < x", "write 1/2"),
+        ("∛x < 1", "write root(x, 3)"),
+        ("x ÷ y < 1", "write /"),
+        ("x – y < 1", "write -"),
+        ("x' < 1", "write for example x_next"),
+        ("floor(x) < 1", "write bounds"),
+        ("cot(x) < 1", "write 1/tan(x)"),
+        ("lg(x) < 1", "write log(x)/log(10)"),
+        ("SIN(x) < 1", "did you mean sin?"),
+        ("X < 1", "did you mean x?"),
+        ("Pi < 4", "did you mean pi?"),
+    ],
+)
+def test_what_is_said_of_a_slip_in_a_claim(claim: str, says: str) -> None:
+    page = f"title = 't'\n[contexts.c]\nvariables = ['x', 'y']\n[rows]\nr = \"{claim}\"\n"
+    with pytest.raises(InputError) as error:
+        read(page)
+    message = str(error.value)
+    assert "line 5: rows.r" in message
+    assert says in message
+
+
+@pytest.mark.parametrize("claim", ["x² ≤ 1", "x − 1 < 1", "2·x < 1", "x**2 < 1", "ln(x) < e^x"])
+def test_what_is_read_as_it_is_written(claim: str) -> None:
+    read(f"title = 't'\n[contexts.c]\nvariables = ['x']\n[rows]\nr = '{claim}'\n")
 
 
 def test_a_standing_given_needs_its_assumption() -> None:
@@ -601,7 +697,7 @@ def test_alternatives_among_givens_and_claims_are_decided() -> None:
                 '[rows]\na = {in = "c", claim = "w <= 2"}\n'
             ),
             "in a list",
-            "write a point",
+            "write 1.0",
         ),
     ],
 )

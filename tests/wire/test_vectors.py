@@ -53,6 +53,11 @@ def test_listed_products_are_written_in_full() -> None:
     assert left(PRODUCTS, "dot(2*v, v)") == left(PRODUCTS, "2*1*b")
 
 
+def test_a_letter_that_numbers_terms_is_known_in_a_product_of_vectors() -> None:
+    assert left(GRAM, "sum(dot(k*v, v), k, 1, 2)") == left(GRAM, "b + 2*b")
+    assert left(GRAM, "sum(dot(e*v, v), e, 1, 2)") == left(GRAM, "b + 2*b")
+
+
 @pytest.mark.parametrize(
     ("known", "term", "told"),
     [
@@ -64,6 +69,7 @@ def test_listed_products_are_written_in_full() -> None:
         ('products = { "e v" = "1, a" }', "1", "is no pair"),
         ('products = { "e v" = "a", "v e" = "a" }', "1", "stands there twice"),
         ('gram = { e = "1", v = "b" }', "1", "has 1 products, and not 2"),
+        ('gram = { "δ" = "1" }', "1", "is no name"),
     ],
 )
 def test_what_is_not_known_is_refused_by_name(known: str, term: str, told: str) -> None:

@@ -15,7 +15,7 @@ from verify.cli.options import Parser, beside
 from verify.cli.terminal import width
 from verify.language.errors import OwnError
 from verify.language.interrupts import held
-from verify.wire.inputs import InputError, shown
+from verify.wire.inputs import InputError, nearest, shown
 
 #: The commands in the order a newcomer needs them.
 COMMANDS = {
@@ -106,7 +106,8 @@ def _dispatch(words: list[str]) -> int:
             raise InputError(
                 f"{shown(name)} is not a command; write one before it: {before} {name}"
             )
-        raise InputError(f"{shown(name)} is not a command; write one of: {known}")
+        instead = nearest(name, COMMANDS, f"write one of: {known}")
+        raise InputError(f"{shown(name)} is not a command; {instead}")
     with held():
         command = import_module(f"verify.cli.{name}")
     parser = Parser(f"verify {name}", command.__doc__ or "", command.USAGE)

@@ -352,19 +352,39 @@ def read_bytes(option: str, path: str) -> bytes:
 def read_cited(option: str, folder: str) -> dict[str, bytes]:
     """The files in the folder `cited` beside a statement; none if there is no such folder.
 
+    A folder in it with a certificate, as ``--out`` writes it, counts as `NAME.json` with
+    `NAME.certificate.json` and what lies beside these in a folder `cited` of its own.
+
     Raises:
         InputError: if one cannot be read, or together they are more than the checker reads.
     """
-    cited = os.path.join(folder, "cited")
-    found, total = {}, 0
-    for name in sorted(os.listdir(cited)) if os.path.isdir(cited) else []:
-        found[name] = read_bytes(option, os.path.join(cited, name))
+    cited, found, total = os.path.join(folder, "cited"), {}, 0
+    for name, path in _cited_paths(cited):
+        found[name] = read_bytes(option, path)
         total += len(found[name])
         if total > MAX_CITED:
             raise InputError(
                 f"{option}: {shown(cited)} has more than {MAX_CITED} bytes; keep what is cited"
             )
     return found
+
+
+def _cited_paths(cited: str) -> Iterator[tuple[str, str]]:
+    """The files in a folder `cited`, with their names."""
+    for name in _listed(cited):
+        path = os.path.join(cited, name)
+        if not os.path.isfile(os.path.join(path, "statement.json")):
+            yield name, path
+            continue
+        for file, ending in (("statement", ".json"), ("certificate", ".certificate.json")):
+            if os.path.isfile(os.path.join(path, f"{file}.json")):
+                yield f"{name}{ending}", os.path.join(path, f"{file}.json")
+        inner = os.path.join(path, "cited")
+        yield from ((f"{name}/{other}", os.path.join(inner, other)) for other in _listed(inner))
+
+
+def _listed(folder: str) -> list[str]:
+    return sorted(os.listdir(folder)) if os.path.isdir(folder) else []
 
 
 def print_document(document: Mapping[str, Any]) -> None:

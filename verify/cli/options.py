@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from types import SimpleNamespace
 
 from verify.language.record import Record
-from verify.wire.inputs import InputError, shown
+from verify.wire.inputs import InputError, near, shown
 
 #: What follows an option as its value although it starts with a minus sign.
 _NEGATIVE = r"-([0-9.]|pi|inf|nan)"
@@ -134,7 +134,9 @@ class Parser:
         """The field of an option."""
         key = self.flags.get(name) or self.valued.get(name)
         if key is None:
-            raise self._error(f"{shown(name)} is no option")
+            known = {option.lstrip("-"): option for option in (*self.flags, *self.valued)}
+            meant = known.get(near(name.lstrip("-"), known), "")
+            raise self._error(f"{shown(name)} is no option{meant and f' (did you mean {meant}?)'}")
         if key in found:
             raise InputError(f"{shown(name)} is given more than once; write it once")
         return key

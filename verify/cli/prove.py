@@ -204,5 +204,6 @@ def _but_for_citations(outcome: Outcome) -> Outcome:
         return outcome
     return outcome._replace(
         spent=f"{opened[0].theorem}, which is cited, is not proved here; put its certificate "
-        f"beside its statement, as cited/NAME{check.CERTIFIED}"
+        f"beside its statement, as verify prove --out cited/NAME does, or as "
+        f"cited/NAME{check.CERTIFIED}"
     )

@@ -1,6 +1,6 @@
 (* From a scene of the initial set, ball 0 collides with 2 and 1 in turn without end: the certificates
    of the step and of theorem1 --all, put together. Step.v and All.v are what
-   `verify export coq --readable` prints for them. *)
+   `verify.wire.coq.named` prints for them, with the rows that are named. *)
 From Coq Require Import Reals ZArith List Lra Lia FMapPositive.
 From Verify Require Import Theorem1 Vectors Motion Sequences Meaning Terms Citations Readable Extension.
 From Verify Require Import Gram OneStep Trajectory FromNumbers.

@@ -1,7 +1,7 @@
 (* One collision of any three balls, from the certificate of the flow: if the inner products of a
    scene are the numbers of a state, and these satisfy what the flow asks for, then the next collision
    is that of balls o and c, and the scene after it has the numbers that the flow calls next. Flow.v
-   is what `verify export coq --readable` prints for that certificate. *)
+   is what `verify.wire.coq.named` prints for that certificate: it has the rows that are named. *)
 From Coq Require Import Reals Lra.
 From Verify Require Import Theorem1 Vectors Motion.
 From Verify Require Flow.

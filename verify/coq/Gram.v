@@ -1,6 +1,6 @@
 (* The states of the step's certificate, and that the inequalities of Cauchy and Schwarz which it
    uses hold where the numbers of a state are inner products of vectors. Step.v is what
-   `verify export coq --readable` prints for that certificate. *)
+   `verify.wire.coq.named` prints for that certificate, with the rows that are named. *)
 From Coq Require Import Reals List Lra Lia.
 From Verify Require Import Theorem1 Vectors Motion Meaning Terms Checker Readable Extension.
 From Verify Require Import AnyStep.

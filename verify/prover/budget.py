@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import signal
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from time import monotonic
+from types import FrameType
 
 #: About the number of microseconds that a search for one row may take.
 WORK = 60_000_000
@@ -16,6 +18,8 @@ class SpentError(ArithmeticError):
     """The work, or the time, is used up."""
 
 
+#: The files with what runs while a block with an alarm is entered and left.
+_ON_THE_WAY = (__file__, contextlib.__file__)
 #: An alarm rings again after so many seconds.
 RINGS_AGAIN = 0.05
 TOO_LATE = "its share of the time is over; allow more, by --time"
@@ -107,15 +111,17 @@ class WorkBudget:
 
         An alarm of the operating system rings where there is a limit of time, in the main thread.
         It rings again until it is heard: an error is lost where Python itself calls a function (a
-        finalizer, a callback of the garbage collector).
+        finalizer, a callback of the garbage collector). It is silent on the way into the block and
+        out of it, where nobody could take it back.
         """
         can_ring = self._row_end is not None and hasattr(signal, "setitimer")
         if not can_ring or threading.current_thread() is not threading.main_thread():
             yield
             return
 
-        def ring(_number: int, _frame: object) -> None:
-            raise SpentError(TOO_LATE)
+        def ring(_number: int, frame: FrameType | None) -> None:
+            if frame is None or frame.f_code.co_filename not in _ON_THE_WAY:
+                raise SpentError(TOO_LATE)
 
         before = signal.signal(signal.SIGALRM, ring)
         try:

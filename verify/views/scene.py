@@ -15,8 +15,8 @@ FORMAT = "verify-scene/2"
 #: The exit code without a verdict.
 UNDECIDED, UNDECIDED_CODE = "undecided", 3
 #: The verdicts that say how many collisions there are.
-COLLAPSES, DISPERSES = "collapses", "disperses"
-#: What a verdict on spheres of different masses or radii rests on.
+COLLAPSES, DISPERSES, FINITE = "collapses", "disperses", "finite"
+#: What the criteria for spheres of different masses or radii rest on.
 LAW = "the law of collision for these masses and radii"
 
 #: What the spheres tell of a scene, and of a collision: records of theirs, whose entries are read.
@@ -43,7 +43,7 @@ def given_line(told: Told, judge: str) -> str:
     if told.verdict == UNDECIDED:
         return ""
     named = [f"certificates/{name}" for name in told.theorems]
-    if told.scene.bodies is not None:
+    if told.scene.bodies is not None and told.verdict == FINITE:
         named.insert(0, LAW)
     return f"given {' and '.join(named)}; judged by {judge}"
 

@@ -87,8 +87,28 @@ def hundredth(percent: str) -> str:
     return decimal_text(*round_decimal(Fraction(percent) / 100, 40, up=False))
 
 
+#: Digits in groups, and what may stand behind them.
+_GROUPED = re.compile(
+    r"(-?[1-9][0-9]{0,2})((?:([,.'’_  ])[0-9]{3})(?:\3[0-9]{3})*)(?:[.,]([0-9]+))?"
+)
+
+
+def ungrouped(text: str) -> str:
+    """What to write for a number whose digits stand in groups, as in 1,000; else nothing."""
+    match = _GROUPED.fullmatch(text.strip())
+    if match is None or (match[3] == "." and match[2].count(".") == 1 and match[4] is None):
+        return ""
+    whole = match[1] + re.sub("[^0-9]", "", match[2]) + (f".{match[4]}" if match[4] else "")
+    if match[3] == "," and match[2].count(",") == 1 and match[4] is None:
+        return f"{whole}, or {match[1]}.{match[2][1:]} if the comma is a decimal comma"
+    return whole
+
+
 def _meant(text: str) -> str:
     """The number that was probably meant, or how numbers are written."""
+    whole = ungrouped(text)
+    if whole:
+        return whole
     mended = text.translate(_TYPED).strip()
     percent = re.fullmatch(r"([0-9]{1,9}(?:\.[0-9]{1,9})?) ?%", mended)
     if percent:
@@ -170,13 +190,20 @@ def shown(text: str, most: int = 40) -> str:
     return repr(text if len(text) <= most else f"{text[: most // 2]}...{text[-most // 4 :]}")
 
 
-def nearest(name: str, known: Iterable[str], otherwise: str = "") -> str:
-    """What to write instead of a name: the known one that is like it, or some of those."""
+def near(name: str, known: Iterable[str]) -> str:
+    """The known name that is like this one, apart from capitals, or nothing."""
     from difflib import get_close_matches  # loaded only where it is used
 
+    small = {other.lower(): other for other in known}
+    found = [name.lower()] if name.lower() in small else get_close_matches(name.lower(), small, 1)
+    return small[found[0]] if found else ""
+
+
+def nearest(name: str, known: Iterable[str], otherwise: str = "") -> str:
+    """What to write instead of a name: the known one that is like it, or some of those."""
     names = list(known)
-    near = get_close_matches(name, names, 1)
-    if near:
-        return f"did you mean {near[0]}?"
+    meant = near(name, names)
+    if meant:
+        return f"did you mean {meant}?"
     some = ", ".join(names[:8]) + (", ..." if len(names) > 8 else "")
     return otherwise or (f"write one of {some}" if some else "there is none")

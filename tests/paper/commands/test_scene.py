@@ -263,7 +263,12 @@ def test_finitely_many_collisions_need_a_coefficient_below_one() -> None:
     assert [line.split()[1] for line in found.lines if "REFUSED" in line] == ["range.high"]
 
 
-@pytest.mark.parametrize("name", ["nearly-aligned", "in-space", "on-a-line", "parting", "passing"])
+#: The scenes in `certificates/scenes` that are decided; a bead is lighter than its neighbours.
+EXAMPLES = ["nearly-aligned", "in-space", "on-a-line", "parting", "passing",
+            "bead", "light-bead", "small-bead"]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
 def test_the_examples_are_those_of_the_files(name: str) -> None:
     scene = read_scene(name, (SCENES / f"{name}.toml").read_bytes())
     stored = json.loads((SCENES / name / "statement.json").read_text())

@@ -15,7 +15,7 @@ from verify.language.terms import Claim
 from verify.paper.commands.pages import page
 from verify.prover import balls
 from verify.spheres.flow.collapse import Start
-from verify.spheres.flow.sandwich import Stair, numbers_of, search
+from verify.spheres.flow.sandwich import Bounds, Stair, numbers_of, search
 
 BELOW = page("sandwich_below").statement
 GIVENS = BELOW.context("start").claims
@@ -50,9 +50,9 @@ def start_of(particles: Particles) -> Start:
     )  # fmt: skip
 
 
-def values_of(found: Stair, unit: Fraction, start: Start) -> Values:
+def values_of(found: tuple[Bounds, Stair], unit: Fraction, start: Start) -> Values:
     """The numbers and the state, by their names in the statement."""
-    numbers = numbers_of(found, balls.exact(unit))
+    numbers = numbers_of(*found, balls.exact(unit))
     return {**numbers, **{f"{name}_start": x for name, x in start._asdict().items()}}
 
 
@@ -120,4 +120,5 @@ class Random:
         if found is None:
             return None
         at = values_of(found, unit, start)
-        return None if fails(at, found.points) else Applied(particles, at, found.points)
+        points = found[1].points
+        return None if fails(at, points) else Applied(particles, at, points)

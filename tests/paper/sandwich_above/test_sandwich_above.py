@@ -231,9 +231,9 @@ def test_both_borders_come_together_at_the_separatrix(y: Fraction) -> None:
     r = Fraction(3, 100)
     with balls.precision(BITS):
         low = nearly_aligned(y, BORDER - y)
-        stair = search(r, low, Fraction(2))
-        assert stair is not None
-        assert not fails_inside(values_of(stair, Fraction(2), low), stair.points)
+        found = search(r, low, Fraction(2))
+        assert found is not None
+        assert not fails_inside(values_of(found, Fraction(2), low), found[1].points)
         high = numbers_of(r, nearly_aligned(y, BORDER + 4 * y))
         assert high is not None
         points = floor_of(*high)

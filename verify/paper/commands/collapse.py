@@ -1,4 +1,4 @@
-"""The jobs `sharper`, `sandwich` and `outside`: from which states the collisions never end."""
+"""The jobs `sharper`, `sandwich`, `outside` and `three-balls`: which collisions never end."""
 
 from __future__ import annotations
 
@@ -24,3 +24,9 @@ def decide_sandwich() -> Outcome:
 def decide_outside() -> Outcome:
     """The other half: above an orbit of such a map that ends, collisions in turn end."""
     return decide("sandwich_above")
+
+
+@cache
+def decide_three_balls() -> Outcome:
+    """The theorem for any masses, radii and two coefficients of restitution."""
+    return decide("three_balls")

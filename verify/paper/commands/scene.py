@@ -19,8 +19,8 @@ from verify.prover.decimals import enclosing_decimals, round_decimal
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import ConstantStep, ObligationStep, Premise, Proof, Step
 from verify.prover.rules import Applying, Interval, Sum
-from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER
-from verify.spheres.flow.contexts import FLOW
+from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, THREE_BALLS
+from verify.spheres.flow.contexts import FLOW, FLOW_OF_BALLS
 from verify.spheres.flow.follow import COLLIDE, DRIFT
 from verify.spheres.scene.assumptions import ASSUMPTIONS
 from verify.spheres.scene.decide import (
@@ -34,10 +34,12 @@ from verify.spheres.scene.decide import (
     Fate,
     decide_scene,
 )
-from verify.spheres.scene.scene import Scene
+from verify.spheres.scene.scene import Bodies, Scene
 from verify.spheres.scene.scene_files import is_in_range
 from verify.spheres.scene.statement import (
     CLASSIFICATION,
+    MASS,
+    SIZES,
     TIME,
     Numbers,
     Telling,
@@ -58,9 +60,11 @@ MANY, FEW_BITS = 500, 80
 PAGES = {
     CLASSIFICATION: "classification",
     FLOW: "flow",
+    FLOW_OF_BALLS: "flow_of_balls",
     LINE: "line",
     SANDWICH: "sandwich_below",
     SHARPER: "sharper",
+    THREE_BALLS: "three_balls",
 }
 
 
@@ -191,7 +195,7 @@ def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:
     if isinstance(row.claim, Applies):
         context = cited_context(row.claim.context)
         return Applying(
-            tuple(_premise(given.claim, row.claim.at, bits) for given in context.givens)
+            tuple(_premise(given.claim, row.claim.at, bits, telling) for given in context.givens)
         )
     if telling.is_short:
         return Interval(bits)
@@ -210,8 +214,14 @@ def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:
     return Interval(bits)
 
 
-def _premise(given: Claim, at: Mapping[str, Term], bits: int) -> Premise:
-    """A definition is the fact that a constant of the scene has it; enclosures show the rest."""
+def _premise(given: Claim, at: Mapping[str, Term], bits: int, telling: Telling) -> Premise:
+    """A definition is the fact that a constant of the scene has it; enclosures show the rest.
+
+    An equation of masses, radii and shares follows from what is given.
+    """
+    if given.relation == "=" and given.lhs.op != "symbol":
+        lengths = (c.name for c in telling.constants if c.name.startswith("l."))
+        return Sum((), (*lengths, *telling.parameters))
     if given.relation == "=" and at[given.lhs.name].op == "symbol":
         return at[given.lhs.name].name
     return Interval(bits)
@@ -238,11 +248,14 @@ FEW_DIGITS = 16
 def read_back(parameters: Mapping[str, Term]) -> Scene | None:
     """The scene whose parameters these are; None if they are those of no scene that is accepted."""
     count = sum(name.startswith("x.0.") for name in parameters)
+    is_unequal = f"{MASS}.0" in parameters
+    sizes = [[f"{letter}.{i}" for i in range(3)] for letter in SIZES] if is_unequal else []
     rows = {
         letter: [[f"{letter}.{i}.{k}" for k in range(1, count + 1)] for i in range(3)]
         for letter in ("x", "v")
     }
     names = {"r", *(name for table in rows.values() for row in table for name in row)}
+    names |= {name for row in sizes for name in row}
     numbers = all(term.op == "rational" for term in parameters.values())
     if count < 1 or {*parameters} != names or not numbers:
         return None
@@ -250,7 +263,12 @@ def read_back(parameters: Mapping[str, Term]) -> Scene | None:
         tuple(tuple(parameters[name].value for name in row) for row in rows[letter])
         for letter in ("x", "v")
     )
-    scene = Scene(parameters["r"].value, positions, velocities)
+    bodies = (
+        Bodies(*(tuple(parameters[name].value for name in row) for row in sizes)) if sizes else None
+    )
+    if bodies is not None and min(*bodies.masses, *bodies.radii) <= 0:
+        return None
+    scene = Scene(parameters["r"].value, positions, velocities, bodies=bodies)
     return scene if is_in_range(scene) else None
 
 

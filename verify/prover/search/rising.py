@@ -17,7 +17,7 @@ from math import comb
 from flint import fmpq_mpoly
 
 from verify.language.fold import replaced
-from verify.language.terms import Claim, Term, as_term, equal
+from verify.language.terms import Claim, Term, as_term, equal, names_of
 from verify.prover.balls import fmpq_of, fraction_of
 from verify.prover.clearing import ROOTS, Clearing, TooLongError, atoms_of, coefficients, index_of
 from verify.prover.proof import Proof, Value, power_of, product_of
@@ -26,17 +26,37 @@ from verify.prover.search.question import Question
 
 EQUATED = ("exp", "log", "atan", "sin", "cos", "cos_pi", *ROOTS)
 RISING = ("exp", "log", "atan", *ROOTS)
+#: The value of a function that rises at a number, and this number.
+VALUES = {"exp": (1, 0), "log": (0, 1), "atan": (0, 0)}
 
 
 def by_monotony(question: Question) -> Proof | None:
-    """Both sides are the same function, which rises."""
+    """Both sides are the same function, which rises, or one is its value at a number."""
     claim = question.plain.claim
-    (f, *a), (g, *b) = ((side.op, *side.args[1:]) for side in (claim.lhs, claim.rhs))
-    if f not in RISING or (f, a) != (g, b) or claim.relation not in ("<", "<="):
+    if claim.relation not in ("<", "<="):
         return None
-    inner = Claim(claim.relation, claim.lhs.children[0], claim.rhs.children[0])
-    fact = question.fact(inner)
-    return None if fact is None else Monotony(fact)
+    whole = Claim(claim.relation, _valued(claim.lhs, claim.rhs), _valued(claim.rhs, claim.lhs))
+    (f, *a), (g, *b) = ((side.op, *side.args[1:]) for side in (whole.lhs, whole.rhs))
+    if f not in RISING or (f, a) != (g, b):
+        return None
+    fact = question.fact(Claim(claim.relation, whole.lhs.children[0], whole.rhs.children[0]))
+    if fact is None or whole == claim:
+        return None if fact is None else Monotony(fact)
+    sides = ((whole.lhs, claim.lhs), (whole.rhs, claim.rhs))
+    equation = next(question.fact(equal(*pair)) for pair in sides if pair[0] != pair[1])
+    if equation is None:
+        return None
+    home = question.known.home(whole, question.goal.context)
+    rises = question.session.lemma(whole, Monotony(fact), home)
+    return Sum(("goal", rises), (equation,))
+
+
+def _valued(side: Term, other: Term) -> Term:
+    """The side, or for 1 beside an exponential (and the like) the same function of a number."""
+    value, at = VALUES.get(other.op, (None, 0))
+    if side.op != "rational" or side.value != value or not names_of(other):
+        return side
+    return Term(other.op, as_term(at))
 
 
 def by_same_arguments(question: Question) -> Proof | None:

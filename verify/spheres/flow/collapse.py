@@ -15,7 +15,7 @@ from verify.prover import balls
 from verify.spheres.flow.law import EQUAL, Number, Sizes, State
 
 #: What the theorems on collapses are cited as.
-SHARPER, SANDWICH, LINE = "sharper", "sandwich", "line"
+SHARPER, SANDWICH, LINE, THREE_BALLS = "sharper", "sandwich", "line", "three-balls"
 #: By how much the iteration widens what it finds, so that inequalities become strict.
 SLACK = 1.001
 ROUNDS = 60
@@ -42,7 +42,8 @@ class Start(Record):
 class Collapse(Record):
     """The numbers of a theorem on collapses, and what these conclude.
 
-    ``stair`` has the points with which the sandwich theorem applies, and is empty for the others.
+    ``stair`` has the points with which the sandwich theorem or that on three balls applies, and is
+    empty for the others.
     """
 
     numbers: Mapping[str, Number]
@@ -60,6 +61,8 @@ class Collapse(Record):
         """What the theorem is cited as."""
         if self.is_on_a_line:
             return LINE
+        if "beta_0" in self.numbers:
+            return THREE_BALLS
         return SANDWICH if self.stair else SHARPER
 
     @property
@@ -67,12 +70,23 @@ class Collapse(Record):
         """About how much shorter the time that is left becomes with each collision."""
         if self.is_on_a_line:
             return 1 - 1 / balls.as_float(self.numbers["E"])
-        if "m" in self.numbers:
+        if "p" in self.numbers:
             return balls.as_float(self.numbers["m"] / self.numbers["p"])
-        r, C = balls.as_float(self.numbers["r"]), balls.as_float(self.numbers["C_0"])
+        C = balls.as_float(self.numbers["C_0"])
+        if "beta_0" in self.numbers:
+            return self._ratio_of_pairs(C)
+        r = balls.as_float(self.numbers["r"])
         alpha = (1 + r) / 2 * C
         p = (alpha + math.sqrt(max(0.0, alpha * alpha - 4 * r))) / 2
         return r / p**2
+
+    def _ratio_of_pairs(self, C: float) -> float:
+        """The same where shares and coefficients of restitution alternate: over two collisions."""
+        names = ("r_0", "r_1", "beta_0", "beta_1")
+        r_0, r_1, beta_0, beta_1 = (balls.as_float(self.numbers[name]) for name in names)
+        t = beta_0 * beta_1 * C**2 - r_0 - r_1
+        z = (t + math.sqrt(max(0.0, t * t - 4 * r_0 * r_1))) / 2
+        return math.sqrt(r_0 * r_1) / z
 
     @property
     def angle(self) -> tuple[Fraction, Fraction]:

@@ -1,9 +1,12 @@
-"""What a scene needs of the theorem on one collision, `verify/paper/flow.toml`: the names in it."""
+"""What a scene needs of the theorems on one collision: the names in them.
+
+These are `verify/paper/flow.toml` for equal spheres, and `flow_of_balls.toml` for others.
+"""
 
 from __future__ import annotations
 
-#: The theorem, and its contexts.
-FLOW = "flow"
+#: The theorems, and their contexts.
+FLOW, FLOW_OF_BALLS = "flow", "flow-of-balls"
 COLLISION, RECENTRE, DRIFT = "collision", "recentre", "drift"
 PAIRS, UNIT = "pairs", "unit"
 #: Those of pairs that do not collide any more.

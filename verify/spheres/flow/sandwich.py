@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
+from typing import Protocol
 
 from verify.language.record import Record
 from verify.prover import balls
@@ -31,6 +32,23 @@ ABOVE = (1e-5, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.2, 0.4)
 Point = tuple[Fraction, Fraction]
 
 
+class Fixed(Protocol):
+    """The map of two numbers with fixed parameters; those of its steps may alternate."""
+
+    @property
+    def U_b(self) -> Fraction:  # noqa: N802
+        """No U is larger."""
+
+    def alpha(self, n: int) -> Fraction:
+        """The factor of 1 - U in P at the n-th step."""
+
+    def rho(self, n: int) -> Fraction:
+        """The factor of U in P at the n-th step."""
+
+    def restitution(self, n: int) -> Fraction:
+        """The factor of (1 - U)/P in Q' at the n-th step."""
+
+
 class Bounds(Record):
     """The numbers of the theorem but Q_0 and U_0; the state in units of the larger speed."""
 
@@ -42,29 +60,33 @@ class Bounds(Record):
     C_0: Fraction
     Theta: Fraction
 
-    @property
-    def alpha(self) -> Fraction:
+    def alpha(self, _: int) -> Fraction:
         """The factor of 1 - U in P."""
         return (1 + self.r) / 2 * (self.C_0 - self.Theta)
+
+    def restitution(self, _: int) -> Fraction:
+        """The factor of (1 - U)/P in Q'."""
+        return self.r * self.G
 
     def rho(self, n: int) -> Fraction:
         """The factor of U in P at the n-th step: the particles exchange their roles each time."""
         return self.G * (self.w_0 / self.w_1 if n % 2 else self.w_1 / self.w_0) ** 2
 
-    def next(self, n: int, at: Point) -> Point | None:
-        """A point above where the n-th step leads; None if it leads nowhere below U_b."""
-        Q, U = at
-        push = self.rho(n) * U
-        P = self.alpha * (1 - U) - Q - push
-        if P <= 0:
-            return None
-        load = push * (2 * Q + push) / P**2
-        if load >= self.U_b * (2 - self.U_b):
-            return None
-        found = above(root_part(load))
-        if found > self.U_b or load > found * (2 - found):
-            return None
-        return above(self.r * self.G * (1 - U) / P), found
+
+def step_of(bounds: Fixed, n: int, at: Point) -> Point | None:
+    """A point above where the n-th step leads; None if it leads nowhere below U_b."""
+    Q, U = at
+    push = bounds.rho(n) * U
+    P = bounds.alpha(n) * (1 - U) - Q - push
+    if P <= 0:
+        return None
+    load = push * (2 * Q + push) / P**2
+    if load >= bounds.U_b * (2 - bounds.U_b):
+        return None
+    found = above(root_part(load))
+    if found > bounds.U_b or load > found * (2 - found):
+        return None
+    return above(bounds.restitution(n) * (1 - U) / P), found
 
 
 def root_part(load: Fraction) -> float:
@@ -73,19 +95,18 @@ def root_part(load: Fraction) -> float:
     return x / (1 + math.sqrt(1 - x)) * (1 + 1e-12)
 
 
-def above(value: float | Fraction) -> Fraction:
+def above(value: float | Fraction, digits: int = DIGITS) -> Fraction:
     """A decimal with few digits that is no less than a positive number."""
     exact = Fraction(value)
     if exact <= 0:
         return Fraction(0)
-    power = Fraction(10) ** (DIGITS - 1 - math.floor(math.log10(exact)))
+    power = Fraction(10) ** (digits - 1 - math.floor(math.log10(exact)))
     return math.ceil(exact * power) / power
 
 
 class Stair(Record):
     """Points Q_n, U_n; two steps lead from each of the last two but two to below it."""
 
-    bounds: Bounds
     points: tuple[Point, ...]
 
     @property
@@ -94,45 +115,59 @@ class Stair(Record):
         return len(self.points) - 3
 
 
-def find_stair(bounds: Bounds, at: Point) -> Stair | None:
+def cycle_of(bounds: Fixed) -> tuple[float, float] | None:
+    """What Q tends to where U is 0, before even and odd steps; None if Q does not go on."""
+    alpha, R = ([float(f(n)) for n in (0, 1)] for f in (bounds.alpha, bounds.restitution))
+    if min(alpha) <= 0:
+        return None
+    found = []
+    for n in (0, 1):
+        half = alpha[0] * alpha[1] + R[1 - n] - R[n]
+        root = half * half - 4 * alpha[0] * alpha[1] * R[1 - n]
+        if half <= 0 or root <= 0:
+            return None
+        found.append(2 * R[1 - n] * alpha[n] / (half + math.sqrt(root)))
+    return found[0], found[1]
+
+
+def find_stair(bounds: Fixed, at: Point) -> Stair | None:
     """A stair that begins above a point, and ends below itself."""
     points: list[Point] = []
-    alpha, R = float(bounds.alpha), float(bounds.r * bounds.G)
-    if alpha <= 0 or alpha * alpha <= 4 * R:
-        return None
-    fixed = 2 * R / (alpha + math.sqrt(alpha * alpha - 4 * R))
-    if not may_close(bounds, at, fixed):
+    cycle = cycle_of(bounds)
+    if cycle is None or not may_close(bounds, at, cycle):
         return None
     for n in range(STEPS):
-        for Q in _candidates(at[0], fixed):
+        for Q in _candidates(at[0], cycle[n % 2]):
             here = (Q, at[1])
             end = _closes(bounds, n, here)
             if end is not None:
-                return Stair(bounds, (*points, here, *end))
+                return Stair((*points, here, *end))
         points.append(at)
-        following = bounds.next(n, at)
+        following = step_of(bounds, n, at)
         if following is None:
             return None
         at = following
     return None
 
 
-def may_close(bounds: Bounds, at: Point, fixed: float) -> bool:
+def may_close(bounds: Fixed, at: Point, cycle: tuple[float, float]) -> bool:
     """Whether a stair closes in floats: most do not, and this says so far sooner.
 
     It is the search of `find_stair` without its rounding up, so that it gives up later.
     """
-    alpha, R, top = float(bounds.alpha), float(bounds.r * bounds.G), float(bounds.U_b) + TINY
-    rho = float(bounds.rho(0)), float(bounds.rho(1))
+    top = float(bounds.U_b) + TINY
+    alpha, R, rho = (
+        [float(f(n)) for n in (0, 1)] for f in (bounds.alpha, bounds.restitution, bounds.rho)
+    )
 
     def step(n: int, Q: float, U: float) -> tuple[float, float] | None:
         push = rho[n % 2] * U
-        P = alpha * (1 - U) - Q - push
+        P = alpha[n % 2] * (1 - U) - Q - push
         if P <= 0:
             return None
         load = push / P * ((2 * Q + push) / P)
         found = load / (1 + math.sqrt(1 - load)) if load < 1 else 1.0
-        return None if found > top else (R * (1 - U) / P, found)
+        return None if found > top else (R[n % 2] * (1 - U) / P, found)
 
     # What a step leads to grows with Q: where two steps from (Q, U) end above U, or nowhere, so do
     # those from every larger Q.
@@ -143,7 +178,7 @@ def may_close(bounds: Bounds, at: Point, fixed: float) -> bool:
         if once is None or twice is None:
             return False
         if twice[1] <= U * (1 + TINY):
-            for begin in (Q, *(fixed * (1 + share) for share in ABOVE)):
+            for begin in (Q, *(cycle[n % 2] * (1 + share) for share in ABOVE)):
                 one = step(n, begin, U) if begin >= Q else None
                 two = None if one is None else step(n + 1, *one)
                 if two and two[0] <= begin * (1 + TINY) and two[1] <= U * (1 + TINY):
@@ -160,16 +195,16 @@ def _candidates(Q: Fraction, fixed: float) -> Iterator[Fraction]:
             yield found
 
 
-def _closes(bounds: Bounds, n: int, here: Point) -> tuple[Point, Point] | None:
+def _closes(bounds: Fixed, n: int, here: Point) -> tuple[Point, Point] | None:
     """The two points after this one, if the second is below it."""
-    once = bounds.next(n, here)
-    twice = None if once is None else bounds.next(n + 1, once)
+    once = step_of(bounds, n, here)
+    twice = None if once is None else step_of(bounds, n + 1, once)
     if once is None or twice is None or twice[0] > here[0] or twice[1] > here[1]:
         return None
     return once, twice
 
 
-def search(r: Fraction, start: Start, unit: Fraction) -> Stair | None:
+def search(r: Fraction, start: Start, unit: Fraction) -> tuple[Bounds, Stair] | None:
     """A stair that probably begins above a state; speeds are in this unit."""
     size = balls.exact(unit)
     e = balls.as_float(start.y / size)
@@ -191,7 +226,7 @@ def search(r: Fraction, start: Start, unit: Fraction) -> Stair | None:
             return None
         most = max(U for _, U in stair.points)
         if most <= widest:
-            return stair._replace(bounds=bounds._replace(U_b=widest))
+            return bounds._replace(U_b=widest), stair
         widest = above(float(most) * SLACK)
     return None
 
@@ -224,19 +259,20 @@ def find_sandwich(r: Fraction, state: State, time: Number) -> Collapse | None:
     if not (start.A > 0 and start.B > 0 and start.y > 0 and start.eta_s > 0 and start.d > 0):
         return None
     unit = short_above(balls.any_root(balls.larger(start.A, start.B)))
-    stair = search(r, start, balls.as_fraction(unit))
-    if stair is None:
+    found = search(r, start, balls.as_fraction(unit))
+    if found is None:
         return None
-    numbers = numbers_of(stair, unit)
-    if not (closes(stair) and holds_at(numbers, start)):
+    bounds, stair = found
+    numbers = numbers_of(bounds, stair, unit)
+    if not (closes(bounds, stair) and holds_at(numbers, start)):
         return None
     later = duration(numbers) * start.y
     return Collapse(numbers, start, (time, time + later), stair.points)
 
 
-def numbers_of(stair: Stair, unit: Number) -> dict[str, Number]:
+def numbers_of(x: Bounds, stair: Stair, unit: Number) -> dict[str, Number]:
     """The numbers by their names in the statement."""
-    x, (Q_0, U_0) = stair.bounds, stair.points[0]
+    Q_0, U_0 = stair.points[0]
     others = {name: getattr(x, name) for name in ("r", "G", "U_b", "C_0", "Theta")}
     others |= {"Q_0": Q_0, "U_0": U_0}
     exact = {name: balls.exact(value) for name, value in others.items()}
@@ -247,27 +283,26 @@ def numbers_of(stair: Stair, unit: Number) -> dict[str, Number]:
 # --- the conditions ------------------------------------------------------------------------------
 
 
-def closes(stair: Stair) -> bool:
+def closes(bounds: Fixed, stair: Stair) -> bool:
     """True only if the points satisfy what the theorem asks of a stair."""
-    x, points = stair.bounds, stair.points
+    points, U_b = stair.points, bounds.U_b
     (Q_N, U_N), (Q, U) = points[-3], points[-1]
     pairs = enumerate(pairwise(points))
     return (
-        x.alpha >= 0
-        and Q <= Q_N
+        Q <= Q_N
         and U <= U_N
-        and all(0 <= Q and 0 <= U <= x.U_b < 1 for Q, U in points)
-        and all(_is_step(x, n, here, following) for n, (here, following) in pairs)
+        and all(0 <= Q and 0 <= U <= U_b < 1 for Q, U in points)
+        and all(_is_step(bounds, n, here, following) for n, (here, following) in pairs)
     )
 
 
-def _is_step(x: Bounds, n: int, here: Point, following: Point) -> bool:
+def _is_step(x: Fixed, n: int, here: Point, following: Point) -> bool:
     (Q, U), (Q_next, U_next) = here, following
     push = x.rho(n) * U
-    P = x.alpha * (1 - U) - Q - push
+    P = x.alpha(n) * (1 - U) - Q - push
     load = push * (2 * Q + push)
     falls = load <= U_next * (2 - U_next) * P**2
-    return P > 0 and x.r * x.G * (1 - U) <= Q_next * P and falls
+    return x.alpha(n) >= 0 and P > 0 and x.restitution(n) * (1 - U) <= Q_next * P and falls
 
 
 def duration(x: Mapping[str, Number]) -> Number:

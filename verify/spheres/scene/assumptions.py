@@ -46,6 +46,16 @@ GLUE = {
         "glue-stairs of that theorem, and it applies: the time of the collapse and its final angle "
         "are as it says, and as the rows time and angle enclose them."
     ),
+    "scene-balls": (
+        "2. The row unit, which applies the flow, is about the state after the last collision: "
+        "with X = x/l and V = W/l for the distance l at which a ball touches o, the numbers in the "
+        "row collapse are those of this state in the letters of the theorem on three balls, and m, "
+        "r and σ there are those of o, c and s. The rows stair.n are the steps n = 0 … N+1 of a "
+        "stair that begins at the Q_0 and U_0 of that row, with its numbers; by the rows period it "
+        "ends below itself. So comparison holds, by glue-stairs of that theorem, and it applies: "
+        "the time of the collapse and its final angle are as it says, and as the rows time and "
+        "angle enclose them."
+    ),
     "scene-on-a-line": (
         "2. By the rows line.n all relative positions and velocities at the start are multiples of "
         "one vector, so that the particles stay on a line. After the last collision s and o are in "

@@ -7,14 +7,21 @@ from fractions import Fraction
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.spheres.flow.collapse import Collapse, find_collapse, find_line_collapse
+from verify.spheres.flow.collapse import (
+    Collapse,
+    find_collapse,
+    find_line_collapse,
+    start_of,
+)
 from verify.spheres.flow.exact_events import GRAZING, TRIPLE, Event, what_happens
 from verify.spheres.flow.exact_events import SAYS as EVENTS
 from verify.spheres.flow.follow import Flow, UnclearError
 from verify.spheres.flow.line import LineRun, follow_line, is_on_a_line
 from verify.spheres.flow.sandwich import find_sandwich
+from verify.spheres.flow.three_balls import Bodies, find_three_balls, scaled
 from verify.spheres.scene.criteria import Criterion, finitely_many
-from verify.spheres.scene.scene import Scene
+from verify.spheres.scene.scene import Bodies as Given
+from verify.spheres.scene.scene import Frame, Scene
 
 COLLAPSES, DISPERSES, FINITE, UNDECIDED = "collapses", "disperses", "finite", "undecided"
 #: Names of reasons; a criterion and what balls leave open have theirs.
@@ -97,7 +104,7 @@ def on_a_line(found: Fate, budget: Budget) -> Fate | None:
         return None
     if line.ends:
         return Fate(DISPERSES, "no pair meets any more", found.flow, line=line, why=APART)
-    reason = spent(found.flow.scene, budget)
+    reason = spent(budget)
     verdict = UNDECIDED if criterion is None else FINITE
     return Fate(verdict, reason, found.flow, None, criterion, line, BUDGET)
 
@@ -125,7 +132,7 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
                 if not flow.advance():
                     return Fate(DISPERSES, "no pair meets any more", flow, why=APART)
                 wait -= 1
-            reason, why = spent(scene, budget), BUDGET
+            reason, why = spent(budget), BUDGET
             criterion = None if known else finitely_many(flow)
         except UnclearError as error:
             reason, why, criterion = str(error), error.name, None
@@ -138,13 +145,9 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
         return Fate(verdict, reason, flow, None, criterion, None, why)
 
 
-def spent(scene: Scene, budget: Budget) -> str:
+def spent(budget: Budget) -> str:
     """Why there is no verdict after so many collisions."""
-    found = f"budget: {budget.collisions} collisions were followed, as --collisions says"
-    if scene.bodies is None or is_on_a_line(scene):
-        return found
-    what = "radii" if scene.has_one_mass else "masses"
-    return f"{found}; the theorems on collapses are about equal {what}"
+    return f"budget: {budget.collisions} collisions were followed, as --collisions says"
 
 
 def told_event(event: Event) -> str:
@@ -164,9 +167,19 @@ def find_end(flow: Flow) -> Collapse | None:
         sizes, other = flow.sizes(now.frame), flow.sizes((o, c, s))
         return find_line_collapse(r, now.state, now.time, sizes, other)
     if flow.scene.bodies is not None:  # the others are about diameters that are 1
-        return None
+        bodies = bodies_of(flow.scene.r, flow.scene.bodies, now.frame)
+        start = scaled(start_of(now.state, flow.sizes(now.frame)), bodies.contacts)
+        return find_three_balls(bodies, start, now.time)
     found = find_collapse(r, now.state, now.time)
     return find_sandwich(r, now.state, now.time) if found is None else found
+
+
+def bodies_of(r: Fraction, given: Given, frame: Frame) -> Bodies:
+    """Masses and distances of contact as the theorem on three balls names them."""
+    o, s, c = frame
+    mass, radius = given.masses, given.radii
+    contacts = (radius[o] + radius[c], radius[o] + radius[s])
+    return Bodies(mass[o], (mass[c], mass[s]), contacts, radius[c] + radius[s], (r, r))
 
 
 def _at_last(known: Fate, found_at: int, digits: int | None) -> Fate:

@@ -15,11 +15,12 @@ from verify.language.record import Record
 from verify.language.statement import NEEDED, Applies, Constant, Obligation
 from verify.language.terms import Claim, Number, Term, as_term, equal, sqrt, symbol
 from verify.spheres.flow import contexts
-from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER
+from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, THREE_BALLS
 from verify.spheres.flow.contexts import (
     COLLISION,
     DRIFT,
     FLOW,
+    FLOW_OF_BALLS,
     LETTERS,
     NAMED,
     PARTING,
@@ -28,14 +29,16 @@ from verify.spheres.flow.contexts import (
     UNIT,
 )
 from verify.spheres.flow.law import (
+    EQUAL,
     Pair,
+    Sizes,
     State,
     collided,
     drifted,
     flight,
     recentred,
 )
-from verify.spheres.flow.pairs_and_units import Unit, pairs_of, unit_of
+from verify.spheres.flow.pairs_and_units import Unit, pairs_of, scaled_unit_of, unit_of
 from verify.spheres.scene.criteria import (
     INELASTIC,
     MOMENTUM,
@@ -52,6 +55,7 @@ from verify.spheres.scene.scene import (
     Coordinates,
     Frame,
     Scene,
+    coordinates,
     difference,
     pair_name,
 )
@@ -61,17 +65,20 @@ LABEL = "EQUATSS2.1_Loi_de_Newton_"
 CLASSIFICATION = "classification"
 START, LINE_START = f"{SHARPER}:start", f"{LINE}:start"
 SANDWICH_START, STAIR = f"{SANDWICH}:start", f"{SANDWICH}:stair"
+BALLS_START, BALLS_STAIR = f"{THREE_BALLS}:start", f"{THREE_BALLS}:stair"
 #: The name of the constant for the time of a move.
 TIME = "time"
 #: Intervals of 128 bits keep fractions with so many bits above and below the bar together.
 SHORT = 256
 r = symbol("r")
+#: The letters of the parameters of masses and radii.
+SIZES = MASS, RADIUS = "m", "R"
 
 
 class Numbers(Record):
     """The numbers with which a theorem is applied, and the enclosures that follow.
 
-    ``stair`` has the points for the sandwich theorem.
+    ``stair`` has the points for the sandwich theorem, or for that on three balls.
     """
 
     values: Mapping[str, Fraction]
@@ -89,12 +96,15 @@ class Telling:
 
     def __init__(self, scene: Scene) -> None:
         self.parameters: dict[str, Term] = {"r": as_term(scene.r)}
+        self.scene = scene
+        self.flow = FLOW if scene.bodies is None else FLOW_OF_BALLS
         self.constants: list[Constant] = []
         self.rows: list[Obligation] = []
         self.given = Coordinates(
-            self._coordinates("x", scene.positions), self._coordinates("v", scene.velocities)
-        )
-        self.exact = Coordinates(scene.positions, scene.velocities)
+            self._coordinates("x", scene.positions), self._coordinates("v", scene.velocities),
+            self._squares(),
+        )  # fmt: skip
+        self.exact = coordinates(scene, Fraction)
         self.is_short = _is_short(scene)
         self.state: State | None = None
         self.frame: Frame = (0, 1, 2)
@@ -111,6 +121,51 @@ class Telling:
             self.parameters |= {n: as_term(x) for n, x in zip(names, row, strict=True)}
             found.append([symbol(name) for name in names])
         return found
+
+    def _squares(self) -> list[Term] | tuple[int, int, int]:
+        """Masses and radii as parameters; the squares of the contact distances."""
+        if self.scene.bodies is None:
+            return (1, 1, 1)
+        for letter, row in zip(SIZES, self.scene.bodies, strict=True):
+            self.parameters |= {f"{letter}.{i}": as_term(x) for i, x in enumerate(row)}
+        return [(symbol(f"{RADIUS}.{i}") + symbol(f"{RADIUS}.{j}")) ** 2 for i, j in PAIRS]
+
+    def _size(self, letter: str, name: str, term: Term) -> Term:
+        """A constant of the balls, where it is first used."""
+        full = f"{letter}.{name}"
+        if all(constant.name != full for constant in self.constants):
+            written = f"{letter}_{{{name}}}"
+            self.constants.append(Constant(full, f"{letter}_{name}", written, "", term))
+        return symbol(full)
+
+    def mass(self, i: int) -> Term:
+        """The parameter of a mass."""
+        return symbol(f"{MASS}.{i}")
+
+    def contact(self, i: int, j: int) -> Term:
+        """The distance at which two balls touch."""
+        term = symbol(f"{RADIUS}.{min(i, j)}") + symbol(f"{RADIUS}.{max(i, j)}")
+        return self._size("l", pair_name(i, j), term)
+
+    def square(self, i: int, j: int) -> Term:
+        """Its square."""
+        return self._size("K", pair_name(i, j), self.contact(i, j) ** 2)
+
+    def sizes(self) -> Sizes:
+        """What the law needs besides r, seen from here."""
+        if self.scene.bodies is None:
+            return EQUAL
+        o, s, c = self.frame
+        ratio = self._size("n", f"{o}{c}", 1 + self.mass(o) / self.mass(c))
+        return Sizes(self.square(o, c), self.square(o, s), self.square(s, c), ratio)
+
+    def _squares_at(self, context: str) -> dict[str, Number]:
+        """The sizes as values of the variables of a context."""
+        sizes = self.sizes()
+        if sizes is EQUAL:
+            return {}
+        found = {"K_c": sizes.c, "K_s": sizes.s, "K_o": sizes.outer}
+        return {**found, "n": sizes.ratio} if context == COLLISION else _of(context, found)
 
     # --- constants and rows ---------------------------------------------------------------------
 
@@ -143,7 +198,7 @@ class Telling:
     ) -> None:
         """A new row: the theorem of a context of the flow applies to these numbers."""
         values = {key: as_term(value) for key, value in at.items()}
-        self.row(name, says, Applies(f"{FLOW}:{context}", values), "scene", *uses)
+        self.row(name, says, Applies(f"{self.flow}:{context}", values), "scene", *uses)
 
     # --- what happens ---------------------------------------------------------------------------
 
@@ -161,7 +216,7 @@ class Telling:
         before, (o, s, c) = self._next(), self.frame
         self.collisions += 1
         way = flight(before, sqrt, self.keep)
-        after = collided(r, before, way, self.keep)
+        after = collided(r, before, way, self.keep, self.sizes())
         self.time = self.keep(TIME, self.time + way.y * way.T)
         later = {f"{n}_next": getattr(after, n) for n in NAMED[COLLISION]}
         self.apply(
@@ -169,14 +224,14 @@ class Telling:
             f"collision {self.collisions}, of {pair_name(o, c)}, at the time t_{self.moves}; no "
             "other pair meets before",
             COLLISION,
-            {"r": r, **before._asdict(), **way._asdict(), **later},
+            {"r": r, **self._squares_at(COLLISION), **before._asdict(), **way._asdict(), **later},
         )
         self.frame, self.state = (o, c, s), _terms(after)
 
     def recentre(self) -> None:
         """The same moment, seen from the spectator."""
         before, (o, s, c) = self._next(), self.frame
-        after = recentred(before, self.keep)
+        after = recentred(before, self.keep, self.sizes())
         says = f"the particles {o} and {c} as they are seen from {s}"
         self._change(RECENTRE, says, before, after, {})
         self.frame = (s, o, c)
@@ -201,7 +256,7 @@ class Telling:
         named = NAMED[kind]
         at = {f"{kind}.{name}": value for name, value in before._asdict().items()}
         at |= {f"{kind}.{name}_next": getattr(after, name) for name in named}
-        self.apply(f"{kind}.{self.moves}", says, kind, {**at, **more})
+        self.apply(f"{kind}.{self.moves}", says, kind, {**at, **self._squares_at(kind), **more})
         self.state = _terms(after)
 
     # --- how it ends ----------------------------------------------------------------------------
@@ -211,8 +266,8 @@ class Telling:
         if self.state is None:
             return {pair_name(i, j): self._given_pair(i, j) for i, j in PAIRS}
         state, (o, s, c) = self._next(), self.frame
-        found = pairs_of(state, self.keep)
-        at = _of(contexts.PAIRS, state._asdict())
+        found = pairs_of(state, self.keep, self.sizes())
+        at = _of(contexts.PAIRS, state._asdict()) | self._squares_at(contexts.PAIRS)
         for name, pair in found.items():
             numbers = {f"{field}_{name}": term for field, term in pair._asdict().items()}
             at |= _of(contexts.PAIRS, numbers)
@@ -261,9 +316,7 @@ class Telling:
     def collapse(self, found: Numbers) -> None:
         """A theorem applies; when, and at which angle, the particles collapse."""
         state, value = self._next(), found.values
-        unit = unit_of(state, sqrt, self.keep)
-        at = _of(UNIT, {**state._asdict(), **unit._asdict()})
-        self.apply(f"unit.{self.moves}", "this state with unit vectors", UNIT, at)
+        unit = self._unit(state)
         is_on_a_line = "E" in value
         if is_on_a_line:
             later = self._collapse_on_a_line(unit, value)
@@ -279,6 +332,24 @@ class Telling:
             highest = as_term(min(C_0 + theta, Fraction(1)))
             self.row("angle-to", "and at most", highest <= as_term(most))
 
+    def _contacts(self) -> tuple[Term, Term]:
+        """The distances at which o touches c and s."""
+        o, s, c = self.frame
+        return self.contact(o, c), self.contact(o, s)
+
+    def _unit(self, state: State) -> Unit:
+        """This state with unit vectors."""
+        at = _of(UNIT, state._asdict())
+        if self.scene.bodies is None:
+            unit = unit_of(state, sqrt, self.keep)
+        else:
+            c, s = self._contacts()
+            unit = scaled_unit_of(state, (c, s), sqrt, self.keep)
+            at |= _of(UNIT, {"l_c": c, "l_s": s})
+        at |= _of(UNIT, unit._asdict())
+        self.apply(f"unit.{self.moves}", "this state with unit vectors", UNIT, at)
+        return unit
+
     def _applies(self, start: str, values: Mapping[str, Number], *uses: str) -> None:
         o, s, c = self.frame
         says = (
@@ -291,6 +362,8 @@ class Telling:
     def _collapse_in_space(self, state: State, unit: Unit, found: Numbers) -> Term:
         """The sharper theorem or the sandwich applies; a bound of the time that is left."""
         value = found.values
+        if self.scene.bodies is not None:
+            return self._balls(state, unit, found)
         start = {
             "y": unit.closing,
             "eta_s": unit.parting,
@@ -316,25 +389,58 @@ class Telling:
     ) -> Term:
         """The sandwich theorem applies; a bound of the time that is left, per closing speed."""
         self._applies(SANDWICH_START, at, "scene-stair")
-        w, half, G = (as_term(value["w_0"]), as_term(value["w_1"])), (1 + r) / 2, value["G"]
-        U_b = as_term(value["U_b"])
+        half, G = (1 + r) / 2, as_term(value["G"])
+        self._steps(STAIR, points, value, (half, half), "scene-stair")
+        return G * as_term(value["U_b"]) / as_term(value["w_b"] ** 2) / (1 - half * G)
+
+    def _steps(
+        self,
+        stair: str,
+        points: tuple[tuple[Fraction, Fraction], ...],
+        value: Mapping[str, Fraction],
+        shares: tuple[Term, Term],
+        glue: str,
+    ) -> None:
+        """The points are a stair, which ends below itself."""
+        w, G = (as_term(value["w_0"]), as_term(value["w_1"])), as_term(value["G"])
         for n, ((Q, U), (Q_next, U_next)) in enumerate(pairwise(points)):
             numbers = {
-                "alpha": half * as_term(value["C_0"] - value["Theta"]),
-                "rho": as_term(G) * (w[(n + 1) % 2] / w[n % 2]) ** 2,
-                "R": r * as_term(G),
-                "U_b": U_b,
+                "alpha": shares[n % 2] * as_term(value["C_0"] - value["Theta"]),
+                "rho": G * (w[(n + 1) % 2] / w[n % 2]) ** 2,
+                "R": r * G,
+                "U_b": as_term(value["U_b"]),
             }
             step = {"Q": Q, "U": U, "Q_next": Q_next, "U_next": U_next}
             here = {key: as_term(x) for key, x in _of("stair", {**numbers, **step}).items()}
             says = f"the numbers Q_{n + 1}, U_{n + 1} are above where the map leads from the last"
-            self.row(f"stair.{n}", says, Applies(STAIR, here), "scene", "scene-stair")
+            self.row(f"stair.{n}", says, Applies(stair, here), "scene", glue)
         for name, first, last in zip("qu", points[-3], points[-1], strict=True):
             says = "two steps later the stair is not above this one"
-            self.row(
-                f"period.{name}", says, as_term(last) <= as_term(first), "scene", "scene-stair"
-            )
-        return as_term(G) * U_b / as_term(value["w_b"] ** 2) / (1 - half * as_term(G))
+            self.row(f"period.{name}", says, as_term(last) <= as_term(first), "scene", glue)
+
+    def _balls(self, state: State, unit: Unit, found: Numbers) -> Term:
+        """The theorem on three balls applies; a bound of the time that is left."""
+        (o, s, c), (to_c, to_s), value = self.frame, self._contacts(), found.values
+        start = {
+            "y": unit.closing,
+            "eta_s": unit.parting,
+            "C": unit.cosine,
+            "a": self.keep("spin", state.a / to_s / to_c),
+            "b": unit.turning,
+            "A": self.keep("speed_c", state.A / to_c / to_c),
+            "B": self.keep("speed_s", state.B / to_s / to_s),
+            "w": self.keep("speeds", state.w / to_s / to_c),
+            "d": unit.distance,
+        }
+        given = {
+            "m": self.mass(o), "m_0": self.mass(c), "m_1": self.mass(s), "r_0": r, "r_1": r,
+            "sigma_0": to_c, "sigma_1": to_s, "sigma_12": self.contact(s, c),
+        }  # fmt: skip
+        at = {**value, **given, **{f"{name}_start": term for name, term in start.items()}}
+        self._applies(BALLS_START, at, "scene-balls")
+        shares = as_term(value["beta_0"]), as_term(value["beta_1"])
+        self._steps(BALLS_STAIR, found.stair, value, shares, "scene-balls")
+        return as_term(value["E_0"]) * as_term(unit.closing)
 
     def _collapse_on_a_line(self, unit: Unit, value: Mapping[str, Fraction]) -> Term:
         """The theorem on a line applies; a bound of the time that is left."""
@@ -344,7 +450,17 @@ class Telling:
         self.row("between", says, 0 < as_term(unit.cosine))
         first = self.keep("first", as_term(unit.distance) / as_term(unit.closing))
         numbers = {"r": r, **value, "y": unit.closing, "eta": unit.parting, "T": first}
-        numbers |= dict.fromkeys(("b", "b_s"), (1 + r) / 2)
+        if self.scene.bodies is None:
+            numbers |= dict.fromkeys(("b", "b_s"), (1 + r) / 2)
+        else:
+            (o, s, c), (to_c, to_s) = self.frame, self._contacts()
+            numbers |= {"y": unit.closing * to_c, "eta": unit.parting * to_s}
+            numbers |= {
+                name: self._size(
+                    "b", f"{o}{i}", (1 + r) * self.mass(i) / (self.mass(o) + self.mass(i))
+                )
+                for name, i in (("b", c), ("b_s", s))
+            }
         self._applies(LINE_START, _of("start", numbers), "scene-on-a-line")
         return as_term(value["E"]) * first
 
@@ -376,7 +492,8 @@ def _is_short(scene: Scene) -> bool:
     products of two differences, one for each axis, less 1.
     """
     given = [scene.r, *(x for rows in (scene.positions, scene.velocities) for x in chain(*rows))]
+    given += () if scene.bodies is None else scene.bodies.radii
     divisor = lcm(*(number.denominator for number in given))
     top = int(max(map(abs, given)) * divisor)
-    most = 4 * scene.dimension * top**2 + divisor**2
+    most = 4 * (scene.dimension + (scene.bodies is not None)) * top**2 + divisor**2
     return most.bit_length() + (divisor**2).bit_length() <= SHORT

@@ -9,8 +9,8 @@ from itertools import pairwise
 from verify.language.record import Record
 from verify.prover import balls
 from verify.prover.decimals import exact_number, outward, short
-from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, Start, start_of
-from verify.spheres.flow.contexts import FLOW
+from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, THREE_BALLS, Start, start_of
+from verify.spheres.flow.contexts import FLOW, FLOW_OF_BALLS
 from verify.spheres.flow.follow import RECENTRE, name_of
 from verify.spheres.flow.law import Number
 from verify.spheres.scene.criteria import SAYS, SAYS_OF_UNEQUAL
@@ -28,6 +28,7 @@ WORDS = {
     LINE: "theorem on a line",
     SHARPER: "sharper theorem",
     SANDWICH: "sandwich theorem",
+    THREE_BALLS: "theorem on three balls",
 }
 
 
@@ -163,10 +164,9 @@ def reason(found: Fate) -> str:
 
 def theorems(found: Fate) -> list[str]:
     """The names of the theorems on which a verdict rests; none without a verdict."""
-    if found.flow.scene.bodies is not None:
-        return [LINE] * (found.verdict == COLLAPSES) + [CLASSIFICATION] * (found.verdict == FINITE)
+    flow = FLOW if found.flow.scene.bodies is None else FLOW_OF_BALLS
     last = {COLLAPSES: [found.name], FINITE: [CLASSIFICATION], DISPERSES: []}
-    return [FLOW, *last[found.verdict]] if found.verdict in last else []
+    return [flow, *last[found.verdict]] if found.verdict in last else []
 
 
 def scene_lines(found: Fate) -> Iterator[str]:

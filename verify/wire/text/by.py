@@ -46,7 +46,10 @@ def read_by(
     Raises:
         InputError: naming the place, and what to write instead.
     """
-    return _Reader(where, text, facts, term).all()
+    try:
+        return _Reader(where, text, facts, term).all()
+    except RecursionError as error:
+        raise InputError(f"{where}: {shown(text)} nests too deeply; name its parts") from error
 
 
 class _Reader:

@@ -73,6 +73,9 @@ class Included:
         except OSError as error:
             what = f"{shown(name)} cannot be read ({error.strerror}); put it beside this page"
             raise places.error(["include"], what) from error
+        except ValueError as error:
+            what = f"{shown(name)} cannot be read ({error}); put a page beside this one"
+            raise places.error(["include"], what) from error
         table, own = self._read(path, content)
         found = self._with_included(path, table, own)
         self._done[path] = own

@@ -34,7 +34,7 @@ from verify.language.terms import (
     symbol,
     unequal,
 )
-from verify.wire.inputs import InputError, nearest, rational, shown
+from verify.wire.inputs import InputError, nearest, rational, shown, ungrouped
 from verify.wire.text import letters
 from verify.wire.text.letters import GREEK, NAMES, name_of
 from verify.wire.text.matrices import (
@@ -53,19 +53,14 @@ from verify.wire.text.matrices import (
 from verify.wire.text.vectors import Combination, Gram, basis, combination, dot
 
 _LETTERS = f"A-Za-z{''.join(NAMES)}"
-_NAME = rf"(?:[A-Za-z][A-Za-z0-9_]*:)*[{_LETTERS}][{_LETTERS}0-9_]*(?:\.[{_LETTERS}0-9_]+)*[₀-₉]*"
+#: In a name a Greek letter stands only where a part of it begins: bη is b times η.
+_MORE = rf"(?:[A-Za-z0-9_]|(?<=[_.])[{_LETTERS}])"
+_NAME = rf"(?:[A-Za-z][A-Za-z0-9_]*:)*[{_LETTERS}]{_MORE}*(?:\.{_MORE}+)*[₀-₉]*"
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
     rf"|`(?P<quoted>[^`]+)`|(?P<name>{_NAME})|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
     r"|(?P<sign><=|>=|==|!=|\*\*|[-+*/^()<>=,|[\]√≤≥⩽⩾≠·⋅×−]))"
 )
-#: What to write instead of a text that begins with a sign which no formula has.
-INSTEAD: Mapping[str, str] = {
-    **dict.fromkeys("\\{", "; TeX is not read, write for example (a/b)*sqrt(x) <= alpha"),
-    "!": "; write prod(k, k, 1, 5) for 5!",
-}
-#: Logarithms to another base, which are no functions here.
-OTHER_BASES: Mapping[str, int] = {"log10": 10, "lg": 10, "log_10": 10, "log2": 2, "log_2": 2}
 #: A name that needs no quotation marks.
 PLAIN = re.compile(r"(?:[A-Za-z]\w*:)*[A-Za-z]\w*(?:\.\w+)*", re.ASCII)
 _SAME = dict(
@@ -74,14 +69,6 @@ _SAME = dict(
 )
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 RELATIONS = ("<", "<=", "=", ">=", ">", "!=")
-#: What is written for words of logic and of programs that are not read.
-_LOGIC = {
-    "not": "write the opposite claim, such as x > 1 for not x <= 1",
-    "if": "write what is given under contexts",
-    "inf": "leave a bound out that is infinite",
-    "infinity": "leave a bound out that is infinite",
-}
-
 #: A decimal with so many digits behind its point is written as a fraction.
 LONGEST_DECIMAL = 20
 
@@ -214,10 +201,14 @@ class Names:
         raise InputError(f"{where}: {shown(name)} is not defined here; {self._instead(name)}")
 
     def _instead(self, name: str) -> str:
+        from verify.wire.text import instead  # loaded only where it is used
+
         if name in self.functions or name in CALLED:
             return f"it is a function; write {name}(...)"
-        if name in _LOGIC:
-            return _LOGIC[name]
+        if name in instead.FUNCTIONS:
+            return instead.FUNCTIONS[name]
+        if name in instead.WORDS:
+            return instead.WORDS[name]
         short = ", ".join(list(self.known)[:8])
         what = f"what is defined is {short}" if short else "nothing is defined here"
         otherwise = f"define it before, under constants, or as a variable; {what}"
@@ -360,8 +351,9 @@ class _Reader:
             match = _TOKEN.match(self.text, at)
             if match is None:
                 unread = self.text[at:].strip()
-                instead = INSTEAD.get(unread[0], "")
-                raise self.error(f"cannot read {shown(unread[:12])}{instead}")
+                from verify.wire.text import instead  # loaded only where it is used
+
+                raise self.error(instead.of_unread(self.text, unread))
             kind = match.lastgroup or ""
             word = match[kind]
             found.append((kind, _SAME.get(word, word) if kind == "sign" else word))
@@ -427,21 +419,33 @@ class _Reader:
         return Formula(tuple(terms), tuple(relations), tuple(moduli))
 
     def _too_much(self) -> str:
+        from verify.wire.text import instead  # loaded only where it is used
+
         kind, word = self.tokens[self.at]
         before = self.tokens[self.at - 1]
-        if before[1] == "0" and re.fullmatch(r"[xbo][0-9a-fA-F]+", word):
-            return f"0{word} is no number in decimal digits; write 8 or 0.5"
-        if word in _LOGIC:
-            return f"{word} cannot be used; {_LOGIC[word]}"
+        if word in instead.WORDS:
+            return f"{word} cannot be used; {instead.WORDS[word]}"
+        if before[0] == "number" and (kind == "number" or word[0] in "xboeE"):
+            return instead.of_two(before[1], word)
         if kind in ("name", "number", "quoted") or word == "(":
-            return f"no sign stands between {before[1]} and {word}; write {before[1]}*{word}"
-        found = f"{self.next_word()}, and does not belong there"
+            inside = "(...)" if word == "(" else word
+            return f"no sign stands between {before[1]} and {word}; write {before[1]}*{inside}"
+        return f"{self.next_word()}, and does not belong there{self._after(before, word)}"
+
+    def _after(self, before: tuple[str, str], word: str) -> str:
+        """What to write for a sign that does not belong where it stands."""
         sides = self.tokens[: self.at], self.tokens[self.at :]
-        if word == "," and all(any(w in RELATIONS for _, w in side) for side in sides):
-            found += "; write each claim as a text of its own, in a list"
-        elif word == "," and before[0] == self.tokens[self.at + 1][0] == "number":
-            found += f"; write a point: {before[1]}.{self.tokens[self.at + 1][1]}"
-        return found
+        following = self.tokens[min(self.at + 1, len(self.tokens) - 1)]
+        if word == "|" == following[1]:
+            return "; write or"
+        if word != ",":
+            return ""
+        if all(any(w in RELATIONS for _, w in side) for side in sides):
+            return "; write each claim as a text of its own, in a list"
+        if before[0] == "number" == following[0]:
+            number = f"{before[1]},{following[1]}"
+            return f"; write {ungrouped(number) or number.replace(',', '.')}"
+        return ""
 
     def number(self, value: Value) -> Term:
         """The value, which is no table."""
@@ -455,6 +459,13 @@ class _Reader:
             if any(isinstance(value, Table) for value in values):
                 self.names.spent.spend(size_of(*values))
             return joined(*values)
+        except ValueError as error:
+            raise self.error(str(error)) from error
+
+    def _spend(self, work: int) -> None:
+        """Count what is read anew."""
+        try:
+            self.names.spent.spend(work)
         except ValueError as error:
             raise self.error(str(error)) from error
 
@@ -572,7 +583,7 @@ class _Reader:
         if kind == "number":
             return as_term(rational(self.where, word))
         if kind == "quoted":
-            return self.names.term(self.where, word)
+            return self.indices[word] if word in self.indices else self.names.term(self.where, word)
         if kind == "name":
             return self._named(word)
         if word == "(":
@@ -590,8 +601,12 @@ class _Reader:
             return absolute(found)
         self.at -= 1
         swapped = word in ("<", ">") and self.tokens[self.at - 1] == ("sign", "=")
-        instead = f"; write {word}=" if swapped else ""
-        raise self.error(f"{self.next_word()}, where a number or a name is missing{instead}")
+        what = ""
+        if swapped:
+            what = f"; write {word}=" + (", or what is given under contexts" if word == ">" else "")
+        elif word == ">" and self.tokens[self.at - 1] == ("sign", "<"):
+            what = "; write !="
+        raise self.error(f"{self.next_word()}, where a number or a name is missing{what}")
 
     def _named(self, word: str) -> Value:
         named = word in self.names.known or word in self.names.short
@@ -599,8 +614,12 @@ class _Reader:
             return self._defined(word)
         if self.sign == "(" and (word in CALLED or not named):
             return self._function(word)
-        if word in self.indices:
-            return self.indices[word]
+        if name_of(word) in self.indices:
+            return self.indices[name_of(word)]
+        if word in CALLED and not named:
+            from verify.wire.text import instead  # loaded only where it is used
+
+            raise self.error(instead.of_function(word, self.tokens[self.at :]))
         name = word if named else name_of(word)
         if name not in self.names.known and name not in self.names.short and name in NUMBERS:
             return NUMBERS[name]
@@ -622,10 +641,7 @@ class _Reader:
             wanted = f"{word}({', '.join(function.parameters)})"
             raise self.error(f"{word} is of {len(function.parameters)} values; write {wanted}")
         self.names.spent.used.add(word)
-        try:
-            self.names.spent.spend(len(str(function.body)))
-        except ValueError as error:
-            raise self.error(str(error)) from error
+        self._spend(len(str(function.body)))
         names = function.names.of(dict(zip(function.parameters, values, strict=True)))
         return read_entries(function.place, function.body, names)
 
@@ -674,6 +690,7 @@ class _Reader:
     def _vector(self) -> Combination:
         """A combination of vectors, up to the comma or the parenthesis after it."""
         inside = _Reader(self.where, "", self.names.of_vectors())
+        inside.text, inside.indices = self.text, self.indices
         inside.tokens, inside.at = self.tokens, self.at
         term = inside.number(inside.sum())
         self.at = inside.at
@@ -696,8 +713,12 @@ class _Reader:
 
     def _instead_of(self, word: str) -> str:
         """What to write for a name before a parenthesis that is no function's."""
-        if word in OTHER_BASES:
-            return f"write log(x)/log({OTHER_BASES[word]})"
+        from verify.wire.text import instead  # loaded only where it is used
+
+        if word in instead.FUNCTIONS:
+            return instead.FUNCTIONS[word]
+        if word in NUMBERS or word == "π":
+            return f"it is a number; write {word}"
         is_name = word in self.names.known or word in self.names.hidden or word in GREEK
         return f"write {word}*(...)" if is_name else nearest(word, CALLED)
 
@@ -708,9 +729,10 @@ class _Reader:
         example = f"write {word}(1/k^2, k, 1, 10)"
         if not self.take(","):
             raise self.error(f"a {word} has a term, a letter and two whole numbers; {example}")
-        kind, letter = self.tokens[self.at]
+        kind, written = self.tokens[self.at]
+        letter = name_of(written)
         if kind != "name" or letter in self.indices or letter in self.names.known:
-            raise self.error(f"{shown(letter)} is no new letter to number terms by; {example}")
+            raise self.error(f"{shown(written)} is no new letter to number terms by; {example}")
         self.at += 1
         first, last = (self._whole(example) for _ in range(2))
         self.expect(")")
@@ -722,6 +744,7 @@ class _Reader:
             self.terms_left -= 1
             if self.terms_left < 0:
                 raise self.error(f"it has more than {MAX_TERMS} terms; split it, or name its parts")
+            self._spend(3 * (comma - start))
             self.at, self.indices[letter] = start, as_term(number)
             terms.append(self.number(self.sum()))
             if self.at != comma:

@@ -51,12 +51,17 @@ def letter_of(name: str) -> tuple[str, str]:
     return plain + index.translate(LOWERED), f"{tex}_{{{index}}}" if index else tex
 
 
+#: A Greek letter that begins a name or a part of it; behind another letter it would be a factor.
+_FIRST = re.compile(rf"(?<![A-Za-z0-9{''.join(NAMES)}])[{''.join(NAMES)}]")
+
+
 def name_of(text: str) -> str:
-    """The ASCII name of what a formula writes with Greek letters and lowered digits."""
-    index = text.translate(RAISED)
-    if index != text and not re.search(r"_[0-9]*$", index):
-        index = re.sub(r"([0-9]+)$", r"_\1", index)
-    return "".join(NAMES.get(sign, sign) for sign in index)
+    """The ASCII name of what a formula writes with Greek letters and lowered digits.
+
+    Different names stay different: what is left of other signs is in no name.
+    """
+    index = re.sub(r"_?([₀-₉]+)$", lambda found: f"_{found[1].translate(RAISED)}", text)
+    return _FIRST.sub(lambda found: NAMES[found[0]], index)
 
 
 #: How signs of a letter are written in LaTeX, beside Greek.

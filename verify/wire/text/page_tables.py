@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from verify.language.record import TYPE_CHECKING
@@ -67,6 +67,8 @@ CITE = ("theorem", "statement_sha256")
 #: A function and its parameters, as ``Q(x, r)``.
 _WORD = r"[A-Za-z][A-Za-z0-9_]*"
 CALL = re.compile(rf"({_WORD})\(\s*({_WORD}(?:\s*,\s*{_WORD})*)\s*\)", re.ASCII)
+#: So many rows are in a page, and names of rows, lemmas, givens and all else.
+MAX_ROWS, MAX_NAMES = 4000, 20_000
 #: What is a name in files.
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,99}", re.ASCII)
 
@@ -121,13 +123,20 @@ class Reader:
 
     def name(self, keys: Sequence[str], name: str) -> str:
         """A name that is new."""
+        self.plain(keys, name)
+        if name in self.taken:
+            raise self.places.error(keys, f"{shown(name)} {self.taken[name]}; choose another name")
+        if len(self.taken) >= MAX_NAMES:
+            raise self.places.error(keys, f"the page has more than {MAX_NAMES} names; split it")
+        self.taken[name] = f"is already the name of {'.'.join(keys[:-1]) or 'something'}.{name}"
+        return name
+
+    def plain(self, keys: Sequence[str], name: str) -> str:
+        """What may be a name."""
         if not NAME.fullmatch(name):
             raise self.places.error(
                 keys, f"{shown(name)} is no name; write ASCII letters, digits, and _ . - between"
             )
-        if name in self.taken:
-            raise self.places.error(keys, f"{shown(name)} {self.taken[name]}; choose another name")
-        self.taken[name] = f"is already the name of {'.'.join(keys[:-1]) or 'something'}.{name}"
         return name
 
     def term(self, keys: Sequence[str], value: object, names: Names) -> Term:
@@ -245,8 +254,8 @@ class Reader:
                 raise self.places.error(
                     keys,
                     f"no statement of the theorem {shown(theorem)} is in the folder cited beside "
-                    f"this file, which has {known}; put its statement.json there, as "
-                    "cited/NAME.json, and its certificate as cited/NAME.certificate.json",
+                    f"this file, which has {known}; write its certificate there, as in "
+                    f"verify prove ITS_PAGE --out cited/{name}",
                 )
             cite = found._replace(name=name)
             self._names_of(cite)
@@ -324,11 +333,9 @@ class Reader:
         where = [*place, "value"] if isinstance(entry, dict) else place
         term = self.term(where, item["value"], self.scope.inside(home))
         written = self._full(key, home)
+        name = self._new(place, written, home)
         if home in self.sets:
-            name = self.name(place, f"{home}.{written}")
             item = self._said_before(written) | item
-        else:
-            name = self._new(place, written, home)
         letter, tex = self._letters(place, item, written)
         label = self.text([*place, "label"], item.get("label", default), "a label")
         found = Constant(name, letter, tex, label, term)
@@ -379,7 +386,7 @@ class Reader:
             for place, names in self.scope.written.items()
             if place not in (*self.scope.chain(home),)
         )
-        return self.name(keys, f"{home}.{written}" if elsewhere else written)
+        return self.name(keys, f"{home}.{written}" if elsewhere or home in self.sets else written)
 
     def _letters(
         self, keys: Sequence[str], item: Mapping[str, Any], written: str
@@ -438,9 +445,8 @@ class Reader:
         for state, values in self.table([*keys, "states"], table.get("states", {})).items():
             place = [*keys, "states", state]
             inside = self.scope.inside(context.name)
-            at = {inside.known.get(n, n): t for n, t in self.values(place, values, inside).items()}
-            self.complete(place, at, [variable.name for variable in context.variables])
-            found[state] = at
+            at = self.values(place, values, inside)
+            found[state] = self.complete(place, at, inside.known, context.variables)
         self.states[context.name] = found
 
     def _vectors(self, keys: Sequence[str], table: Mapping[str, Any], home: str) -> None:
@@ -459,9 +465,12 @@ class Reader:
         vectors = self.table([*keys, "vectors"], table.get("vectors", {}))
         texts = {name: self.text([*keys, "vectors", name], text) for name, text in vectors.items()}
         try:
-            self.scope.span(home, (gram_of if kinds == ["gram"] else products_of)(known), texts)
+            gram = (gram_of if kinds == ["gram"] else products_of)(known)
         except ValueError as error:
             raise self.places.error(place, str(error)) from error
+        for name in (*(name for pair in gram for name in pair), *texts):
+            self.plain(place, name)
+        self.scope.span(home, gram, texts)
 
     def let(self, keys: Sequence[str], value: object, homes: Sequence[str | None]) -> None:
         """Abbreviations, each of which is the term or table for which it stands; and functions."""
@@ -475,10 +484,11 @@ class Reader:
                 self._new_function(place, match[1], names, home)
                 function = PageFunction(where, names, body, inside)
                 self.scope.define(match[1], function, home)
-            elif short in self.scope.written[home] or short in self.scope.short[home]:
-                raise self.places.error(place, self._is_taken(short))
-            else:
-                self.scope.abbreviate(short, read_entries(where, body, inside), home)
+                continue
+            name = self.plain(place, name_of(short))
+            if name in self.scope.written[home] or name in self.scope.short[home]:
+                raise self.places.error(place, self._is_taken(name))
+            self.scope.abbreviate(name, read_entries(where, body, inside), home)
 
     def _new_function(
         self, keys: Sequence[str], name: str, parameters: Sequence[str], home: str | None
@@ -532,7 +542,8 @@ class Reader:
         says = self.text([*keys, "says"], table.get("says", found.context.says), "a sentence")
         self.contexts |= {name: found.context._replace(says=says), whole: found.range}
         for row in found.rows:
-            self.rows[self.name(keys, row.name)] = row
+            self.name(keys, row.name)
+            self.add(keys, row)
         self.floats[variable.name] = estimate(found.context.point[variable.name], {})
 
     def around(
@@ -583,18 +594,28 @@ class Reader:
     ) -> dict[str, Term]:
         place = [*keys, "point"]
         found = self.values(place, value, self.scope.inside(parent))
-        known = self.scope.inside(keys[-1]).known
-        at = {known.get(name, name): term for name, term in found.items()}
-        self.complete(place, at, [variable.name for variable in names.values()])
-        return at
+        return self.complete(place, found, self.scope.inside(keys[-1]).known, names.values())
 
-    def complete(self, keys: Sequence[str], found: Mapping[str, Any], names: list[str]) -> None:
-        """Afterwards there is a value for each variable, and for nothing else."""
-        for name in found.keys() ^ {*names}:
-            what = "has no value" if name in names else "is no variable of the context"
-            raise self.places.error(
-                keys, f"{shown(name)} {what}; write values of {', '.join(names) or 'nothing'}"
-            )
+    def complete(
+        self,
+        keys: Sequence[str],
+        found: Mapping[str, Term],
+        known: Mapping[str, str],
+        variables: Iterable[Variable],
+    ) -> dict[str, Term]:
+        """The values by the names that are meant: one for each variable, and for nothing else."""
+        names, at = [variable.name for variable in variables], {}
+        wanted = f"write values of {', '.join(names) or 'nothing'}"
+        for written, term in found.items():
+            name = known.get(written, written)
+            if name not in names or name in at:
+                what = "has two values" if name in at else "is no variable of the context"
+                raise self.places.error(keys, f"{shown(written)} {what}; {wanted}")
+            at[name] = term
+        for name in names:
+            if name not in at:
+                raise self.places.error(keys, f"{shown(name)} has no value; {wanted}")
+        return at
 
     def _givens(self, keys: Sequence[str], table: Mapping[str, Any], home: str) -> Iterator[Given]:
         count = 0
@@ -685,8 +706,14 @@ class Reader:
         fields = self.fields(keys, table)
         for new, claim in zip(_numbered(name, len(claims)), claims, strict=True):
             self.name(keys, new)
-            self.rows[new] = Obligation(name=new, claim=claim, context=home, **fields)
+            self.add(keys, Obligation(name=new, claim=claim, context=home, **fields))
             self._hint(keys, new, table)
+
+    def add(self, keys: Sequence[str], row: Obligation) -> None:
+        """A row of the statement, in which there are not too many."""
+        if len(self.rows) >= MAX_ROWS:
+            raise self.places.error(keys, f"the page has more than {MAX_ROWS} rows; split it")
+        self.rows[row.name] = row
 
     def _hint(self, keys: Sequence[str], row: str, table: Mapping[str, Any]) -> None:
         texts = self.texts([*keys, "by"], table.get("by", []))
@@ -759,11 +786,9 @@ class Reader:
     ) -> dict[str, Term]:
         """The values of the variables of a context, which may be one that is cited."""
         found = self.values([*keys, key], table.get(key, {}), names)
-        full = {v.name.rpartition(":")[2]: v.name for v in variables}
-        short = {name.rpartition(".")[2]: name for name in full}
-        named = {name if name in full else short.get(name, name): t for name, t in found.items()}
-        self.complete([*keys, key], named, list(full))
-        return named
+        full = [v._replace(name=v.name.rpartition(":")[2]) for v in variables]
+        short = {v.name.rpartition(".")[2]: v.name for v in full} | {v.name: v.name for v in full}
+        return self.complete([*keys, key], found, short, full)
 
     def fields(self, keys: Sequence[str], table: Mapping[str, Any]) -> dict[str, Any]:
         """What is said of a row beside its claim."""

@@ -350,7 +350,7 @@ class Lines:
             said, home = self._said_in(home, name, said), None
         fields = self.page.fields(keys, said)
         line = line._replace(label=fields["label"], says=fields["says"], uses=fields["uses"])
-        self.page.rows[name] = Obligation(name=name, claim=claim, context=home, **fields)
+        self.page.add(keys, Obligation(name=name, claim=claim, context=home, **fields))
         self._known(line, home)
         return line
 
@@ -423,10 +423,9 @@ class Lines:
             raise self.places.error(keys, "numbers have no other values; leave it out")
         context, names = self.page.contexts[name], self.page.scope.inside(home)
         known = self.page.scope.inside(context.name).known
-        found = self.page.values(keys, value, names)
-        at = {known.get(name, name): term for name, term in found.items()}
-        self.page.complete(keys, at, [variable.name for variable in context.variables])
-        return at
+        return self.page.complete(
+            keys, self.page.values(keys, value, names), known, context.variables
+        )
 
     def _of_context(
         self, keys: Keys, kind: str, table: Mapping[str, Any], home: str | None
@@ -455,7 +454,8 @@ class Lines:
         by = table.get("by")
         if "false_at" in table:
             place = [*keys, "false_at"]
-            return ByWitness(self._values(place, table["false_at"], home or "", None))
+            around = self.page.contexts[home].parent if home in self.page.contexts else None
+            return ByWitness(self._values(place, table["false_at"], home or "", around))
         if isinstance(claim, Applies):
             return ToBeFound() if by is None else ByApplying(self._names([*keys, "by"], by))
         if isinstance(claim, Always):

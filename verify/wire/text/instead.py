@@ -1,0 +1,130 @@
+"""What to write in a formula for what is written otherwise in mathematics and in programs."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+
+from verify.wire.inputs import shown, ungrouped
+
+#: By what an unread part of a text begins with.
+_SIGNS: Mapping[str, str] = {
+    r"[\\\\{}$]": "TeX is not read, write for example (a/b)*sqrt(x) <= alpha",
+    "! *[a-z(]": "write !=",
+    "!": "write prod(k, k, 1, 5) for 5!",
+    r"_\d": "write a number without signs between its digits, such as 1000",
+    r"['’]\d": "a formula has no quotes in it",
+    "['′]": "a name has no prime; write for example x_next",
+    "_": "a name begins with a letter",
+    ";": "leave it out; each claim is a text of its own",
+    "∞": "leave a bound out that is infinite",
+    "∈": "write 0 <= x <= 1 for x in [0, 1]",
+    "&|∧": "write and",
+    "∨": "write or",
+    "¬": "write the opposite claim, such as x > 1 for not x <= 1",
+    "[→⇒⟹⟶]": "there is no implication; write what is given under contexts",
+    "%": "write 1/2 for 50%; there are no remainders",
+    "°": "angles are in radians; write a*pi/180",
+    "∛": "write root(x, 3)",
+    "∜": "write root(x, 4)",
+    "÷": "write /",
+    "[∙•]": "write *",
+    "[–—]": "write -",
+    "±": "write a claim with + and one with -",
+    "[≈~≃∼]": "write two bounds, such as 3.1 < x < 3.2",
+    ":=": "write =",
+    ":": "write a claim; what it is about stands under contexts",
+    "#": "a comment stands outside the quotes",
+    '["“”„]': "a formula has no quotes in it",
+    "[‖⟨]": "write sqrt(v*v) for the length of a vector v",
+    "[∑Σ]": "write sum(1/k^2, k, 1, 10)",
+    "[∏Π]": "write prod(k, k, 1, 10)",
+}
+
+#: Words of logic and of programs that are not read.
+WORDS: Mapping[str, str] = {
+    "not": "write the opposite claim, such as x > 1 for not x <= 1",
+    "if": "write what is given under contexts",
+    "then": "write what is given under contexts",
+    "implies": "write what is given under contexts",
+    "where": "write what is given under contexts",
+    "forall": "write its variables under contexts",
+    "for": "write its variables under contexts",
+    "in": "write 0 <= x <= 1 for x in [0, 1]",
+    "mod": "there are no remainders",
+    "and": "it stands between two claims",
+    "or": "it stands between two claims",
+    **dict.fromkeys(("inf", "infinity", "oo", "infty"), "leave a bound out that is infinite"),
+}
+
+#: Functions that have another name, or none.
+FUNCTIONS: Mapping[str, str] = {
+    **dict.fromkeys(("log10", "lg", "log_10"), "write log(x)/log(10)"),
+    **dict.fromkeys(("log2", "log_2", "lb", "ld"), "write log(x)/log(2)"),
+    "log1p": "write log(1 + x)",
+    "expm1": "write exp(x) - 1",
+    "tg": "write tan(x)",
+    "arctg": "write arctan(x)",
+    "atan2": "write atan(y/x)",
+    **dict.fromkeys(("cot", "ctg", "cotan"), "write 1/tan(x)"),
+    "sec": "write 1/cos(x)",
+    **dict.fromkeys(("csc", "cosec"), "write 1/sin(x)"),
+    "coth": "write 1/tanh(x)",
+    **dict.fromkeys(("asinh", "arsinh", "arcsinh"), "write log(x + sqrt(x^2 + 1))"),
+    **dict.fromkeys(("acosh", "arcosh", "arccosh"), "write log(x + sqrt(x^2 - 1))"),
+    **dict.fromkeys(("atanh", "artanh", "arctanh"), "write log((1 + x)/(1 - x))/2"),
+    **dict.fromkeys(("sgn", "sign"), "write a claim for x > 0 and one for x < 0"),
+    **dict.fromkeys(("floor", "ceil", "round"), "write bounds, such as n <= x and x < n + 1"),
+    "cbrt": "write root(x, 3)",
+    "sqr": "write x^2, or sqrt(x)",
+    **dict.fromkeys(("pow", "power"), "write x^y"),
+    "fabs": "write abs(x)",
+    "factorial": "write prod(k, k, 1, 5)",
+    "not": WORDS["not"],
+}
+
+
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
+
+
+def of_unread(text: str, unread: str) -> str:
+    """What is said of the end of a text, which begins with a sign that no formula has."""
+    number = re.search(r"[0-9][0-9.,'’_ ]*$", text.rstrip()[: -len(unread)])
+    digits = re.match(r"[0-9.,'’_ ]*", unread)
+    whole = ungrouped(number[0] + digits[0]) if number and digits else ""
+    what = f"write {whole}" if whole else _of_sign(unread)
+    return f"cannot read {shown(unread[:12])}{what and f'; {what}'}"
+
+
+def _of_sign(unread: str) -> str:
+    for pattern, instead in _SIGNS.items():
+        if re.match(pattern, unread):
+            return instead
+    value = unicodedata.numeric(unread[0], None)
+    return "" if value is None else f"write {Fraction(value).limit_denominator(100)}"
+
+
+def of_two(one: str, other: str) -> str:
+    """What is said where a number, or what may be the rest of one, follows a number."""
+    if one == "0" and re.fullmatch(r"[xbo][0-9a-fA-F]+", other):
+        return f"0{other} is no number in decimal digits; write 8 or 0.5"
+    if other in ("e", "E"):
+        return f"no exponent follows {one}{other}; write {one}e-3, or {one}*e"
+    if other[0] == ".":
+        return f"{one}{other} is no number"
+    whole = ungrouped(f"{one} {other}")
+    if whole:
+        return f"a number has no spaces in it; write {whole}"
+    return f"no sign stands between {one} and {other}; write {one}*{other}"
+
+
+def of_function(name: str, following: Sequence[tuple[str, str]]) -> str:
+    """What is said of a function without parentheses, before these tokens."""
+    kind, word = following[0]
+    if kind == "raised" or word == "^":
+        power = word.translate(_RAISED) if kind == "raised" else following[1][1]
+        return f"{name} is a function; write {name}(...)^{power}"
+    inside = word if kind in ("name", "number") else "..."
+    return f"{name} is a function; write {name}({inside})"

@@ -16,6 +16,7 @@ import pytest
 from tests.spheres.scene.agreement import contradictions
 from verify import check
 from verify.language.statement import PROVED
+from verify.paper.commands.regenerate import is_right_statement
 from verify.paper.commands.scene import scene_outcome
 from verify.prover.outcome import Outcome
 from verify.spheres.flow.collapse import LINE, THREE_BALLS
@@ -184,3 +185,12 @@ def test_a_line_of_different_balls_has_a_certificate() -> None:
     found = decide_scene(Scene(Fraction(1, 20), places, speeds, bodies=Bodies(masses, radii)))
     assert (found.verdict, found.name) == (COLLAPSES, LINE)
     assert judged(scene_outcome(found, found.flow.bits)).verdict == PROVED
+
+
+def test_the_program_recognises_its_own_statement() -> None:
+    """It is what the program makes of these masses and radii; a negative mass is that of none."""
+    content = write(certified())["statement.json"]
+    assert is_right_statement(content)
+    statement = json.loads(content)
+    statement["parameters"]["m.1"] = "-1/100"
+    assert not is_right_statement(json.dumps(statement).encode())

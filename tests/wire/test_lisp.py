@@ -147,6 +147,7 @@ def test_operations(text: str, claim: Claim) -> None:
         ("(declare-const x Real)(assert x)", "'x' is a number, where a formula is meant"),
         ("(assert (< (< 1 2) 3))", "'<' is a formula, where a number is meant"),
         ("(forall x)", "the command 'forall' cannot be used"),
+        ("(declare-const e1 Real)(assert (< 0 1e1))", "or followed by the name e1; choose another"),
         ("(assert (not))", "line 1: 'not' stands alone"),
         ("(assert (not true true))", "line 1: 'not' of 2 parts is no formula"),
         ("(assert (=> true))", "line 1: '=>' of 1 parts is no formula"),

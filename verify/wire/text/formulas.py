@@ -419,6 +419,10 @@ class Reader:
         if known is not None:
             return known
         if not word.quoted and _NUMBER.fullmatch(word):
+            rest = re.search("[eE].*", word)
+            if rest and scope.find(rest[0]) is not None:
+                what = f"{shown(word)} can be read as a number, or followed by the name {rest[0]}"
+                raise self.source.error(word, f"{what}; choose another name")
             text = word.rstrip(".") if "." in word and word.endswith(".") else word
             where = f"{self.source.path}, line {word.line}"
             return real(as_term(rational(where, text.lstrip("+"))))

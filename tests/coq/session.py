@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import re
 import subprocess
 from functools import cache
@@ -27,8 +28,14 @@ class Session:
             ["coqtop", "-q", "-quiet", "-w", "none", "-R", ".", "Verify"], cwd=directory,
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
         )  # fmt: skip
+        atexit.register(self.close)  # its time is counted when it has ended
         if self.fails(f"{LIBRARIES}\nSet Silent."):
             raise ValueError("the libraries cannot be loaded")
+
+    def close(self) -> None:
+        """It has ended afterwards."""
+        self.coq.kill()
+        self.coq.wait()
 
     def fails(self, text: str) -> bool:
         """Whether there is an error in sentences.

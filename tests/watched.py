@@ -206,7 +206,7 @@ def expansion(draw: random.Random) -> Mapping[str, Any]:
 said(P, "at least 1 + 2(α+ρ)u/p", by=true("G ≥ 1 + 2(α+ρ)u/p", expansion))
 said(P, "from 1, and with it", by=coded("1", P, "1. **A step expands"))
 said(P, "1 to 3 look like work", by=coded("1 3", P, "3. **So do the starts") + "1 3")
-said(P, "4 is open", by=coded("4", P, "4. **A relative velocity"))
+said(P, "4 is open", by=coded("4", P, "4. **One relative velocity"))
 said(P, "(ζ → 0)", by=coded("(ζ→0)", "docs/explanation/separatrix.md", "φ₂ tends to 0"))
 
 P = "docs/explanation/classification.md"

@@ -9,7 +9,6 @@ from functools import partial
 from verify.language.record import Record
 from verify.language.statement import PROVED, Constant
 from verify.language.terms import Claim, Term, names_of
-from verify.prover import balls
 from verify.prover.decimals import near_decimal, outward
 from verify.prover.outcome import Enclosure, Ends, Outcome
 from verify.prover.program import ExactArithmetic, Machine, Program, Run
@@ -30,6 +29,8 @@ def minimum_of(outcome: Outcome, constant: Constant) -> Minimum:
     """The entries of a constant's min, enclosed from the enclosures of the constants in them."""
     entries = constant.term.children
     names = sorted({name for entry in entries for name in names_of(entry)})
+    from verify.prover import balls  # loaded only where it is used
+
     with balls.precision(SHOWN_BITS):
         machine = Machine(Program(names), balls.BallArithmetic())
         known = [ends_of(outcome, name) for name in names]
@@ -68,6 +69,8 @@ def sharpened(outcome: Outcome, bits: int) -> Outcome:
     program = Program(())
     for name, term in definitions_of(outcome).items():
         program.define(name, term)
+    from verify.prover import balls  # loaded only where it is used
+
     with balls.precision(bits + GUARD_BITS):
         run = Machine(program, balls.BallArithmetic()).run(())
         known = definitions_of(outcome)
@@ -92,6 +95,8 @@ def _ends(run: Run, old: Ends, term: Term, bits: int) -> Ends:
     ball = run[term]
     if ball is None:
         return old
+    from verify.prover import balls  # loaded only where it is used
+
     low, high = map(Fraction, outward(balls.ends(ball), int(bits * 0.30103) + 3))
     return (low, high) if high - low < old[1] - old[0] else old
 

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import subprocess
-from hashlib import sha256
 from pathlib import Path
 
 import pytest
@@ -227,22 +225,6 @@ def test_without_coq_nothing_is_said_to_be_checked(tmp_path: Path) -> None:
     assert done.returncode == 77
     assert done.stdout == ""
     assert done.stderr.startswith("coq: NOTHING WAS CHECKED")
-
-
-def test_on_what_is_computed_once_no_other_theorem_rests() -> None:
-    said = re.search(r'^export once="([^"]*)"$', (ROOT / ".ci/coq").read_text(), re.MULTILINE)
-    assert said
-    once = {f"Checked_{name}" for name in said[1].split()}
-    of_module = {module(folder): folder for folder in folders()}
-    assert once < of_module.keys()
-    texts = [path.read_text() for path in SOURCES.glob("*.v")]
-    assert not any(re.search(rf"\b{name}\b", text) for name in once for text in texts)
-    digests = {
-        sha256((of_module[name] / "statement.json").read_bytes()).hexdigest() for name in once
-    }
-    for folder in folders():
-        cites = json.loads((folder / "statement.json").read_bytes())["cites"]
-        assert not digests & {item["statement_sha256"] for item in cites}
 
 
 #: Instead of what `.ci/coq` calls: it writes down who it is, and complains if that is asked for.

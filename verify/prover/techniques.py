@@ -83,6 +83,7 @@ PRODUCTS = (
     Technique("powers of roots", _from("rising", "by_powers")),
     Technique("squares where equations hold", _from("equations", "squares_on_equations")),
     Technique("powers of both sides", _from("equations", "by_whole_powers")),
+    Technique("bounds of variables", _from("bounded", "by_bounds")),
 )
 #: Groups whose lemmas are of no use to others: without a proof they are taken back.
 TIDY = (SUMS, PRODUCTS, (NORMAL_FORM,))

@@ -143,7 +143,7 @@ class Pages:
             of = draw.choice(around)
             given, state = draw.choice([*of.givens]), draw.choice(("one", "next"))
             state = state if of is context else "one"
-            row = row._replace(of=of, at=of.states[state], claim=of.givens[given], let=of.let)
+            row = row._replace(of=of, at=of.states[state], claim=of.givens[given], let={})
             self.rows.append(row)
             self.facts[name] = context
             return f'{name} = {{ claim = "{given} at {state}"{by}{extra} }}'
@@ -211,8 +211,7 @@ class Pages:
         """Whether a row holds at values of the variables in scope."""
         if row.of is None or row.at is None:
             return holds(row.claim, self._meanings(row.context, values, row.let))
-        own = row.context.let if row.context else {}
-        here = self._meanings(row.context, values, own if row.context is not row.of else row.let)
+        here = self._meanings(row.context, values, {})  # where the values of a state are written
         there = values | {name: _value(text, here) for name, text in row.at.items()}
         return holds(row.claim, self._meanings(row.of, there, row.let))
 

@@ -62,18 +62,19 @@ OPEN = "with d_0 > 0 and eta_s > 0" in file("certificates/printed-set/report.md"
 
 P = "README.md"
 so(P, "With `<`, as printed", PRINTED)
-so(P, "With `>` the particles collapse", MEANT)
+so(P, "With `>`, for all parameters", MEANT)
 so(P, "Coq proves Theorem 1, with `>`", MEANT)
 so(P, "As printed, with <:", PRINTED)
-so(P, "d₀ > 0;", OPEN)
-so(P, "η_s > 0, is the paper's", OPEN)
+so(P, "gap (d₀ > 0) collapses", OPEN)
+so(P, "separates (η_s > 0)", OPEN)
 LAW = has("verify/paper/glossary.py", "multiplies the normal velocity by -r")
 so(P, "relative velocity by -r.", LAW)
 so("docs/reference/glossary.md", "relative velocity by -r.", LAW)
 so("docs/tutorials/three-particles.md", "relative velocity by -r:", LAW)
 so("", "`-v`", has("verify/cli/options.py", "-v, --verbose"))
 P = "docs/index.md"
-so(P, "(read with > in (4.10))", MEANT)
+so(P, "As printed, with < in (4.10),", PRINTED)
+so(P, "read with > it holds", MEANT)
 P = "docs/howto/cite.md"
 so(P, "the hypothesis (4.10) read with > and", MEANT)
 P = "docs/explanation/separatrix.md"
@@ -81,7 +82,7 @@ so(P, "read with >.", MEANT)
 P = "docs/tutorials/referee.md"
 so(P, "with <: refuted", PRINTED)
 so(P, "misprinted. With `<` the", PRINTED)
-so(P, "with >: proved", MEANT)
+so(P, "*With >, its set as printed: proved", MEANT)
 so(P, "d₀ > 0 and η_s > 0,", OPEN)
 so(P, "(η_s > 0 is", OPEN)
 so(P, "a gap d₀ > 0 is left", OPEN)

@@ -82,9 +82,9 @@ said("", "φ₂ = d/η_c²", by=file("verify/views/map.py"))
 
 said(
     "README.md",
-    "{} of its claims are refuted at {}, or at another point that is named. {} of the {}, with {} "
-    "causes, break the argument; {} are false but harmless; {} are slips of wording. The {} "
-    "causes:",
+    "{} of its claims are refuted at {}, or at another point that is named. {} of the {} break the "
+    "argument, by {} mistakes; {} are false but harmless; {} are slips of wording. The {} "
+    "mistakes:",
     *(
         F["refuted"],
         AT,
@@ -97,7 +97,7 @@ said(
     F["breaking_causes"],
 )
 said("README.md", "more than δ₂²", by=row("theorem1-r-3-100", "zeta-term-2"))
-said("README.md", "*{} true, but badly derived*", F["otherwise"])
+said("README.md", "*{} true, but the reason given does not suffice*", F["otherwise"])
 said("README.md", "*{} remarks*", F["remarks"])
 said(
     "README.md",
@@ -649,12 +649,12 @@ said(P, "W and √V are", by=coded("√V", "verify/paper/glossary.py", "V₀"))
 # --- docs/tutorials -------------------------------------------------------------------------------
 
 P = "docs/tutorials/referee.md"
-said(P, "*{} true, but badly derived*", F["otherwise"])
+said(P, "*{} true, but the reason given does not suffice*", F["otherwise"])
 said(P, "*{} remarks*", F["remarks"])
 said(P, "*Given {} assumptions*", len(KINDS))
 said(
     P,
-    "the {} refuted rows, the {} that are true but badly derived, and the {} remarks together, {} "
+    "the {} refuted rows, the {} that are true for another reason, and the {} remarks together, {} "
     "printed rows",
     F["refuted"],
     F["otherwise"],

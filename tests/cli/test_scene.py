@@ -144,7 +144,7 @@ BAD = {
     "mass-unit": (GOOD + 'masses = ["1 kg", 1, 1]\n', "'1 kg' is not an exact number"),
     "angle": (GOOD.replace("-1.006", '"-1.5*cos(30°)"'), "write coordinates, not angles"),
     "diameter": (GOOD + 'diameter = "0"\n', "diameter: '0' is not positive"),
-    "no-toml": ("r = = 1\n", "is no TOML file"),
+    "no-toml": ("r = = 1\n", "is not valid TOML"),
     "large": (GOOD.replace("0.03", "1e-99999"), "the exponent of '1e-99999' is too large"),
 }
 

@@ -121,7 +121,7 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
         is_text = not isinstance(error, UnicodeDecodeError)
         why = " ".join(str(error).split()) if is_text else "it is not UTF-8"
         meant = (_meant_line(content) if is_text else None) or ", ".join(KEYS)
-        raise InputError(f"{where}: is no TOML file ({why}); write {meant}") from error
+        raise InputError(f"{where}: is not valid TOML ({why}); write {meant}") from error
     is_family = "parameters" in table or ".." in str(table.get("r"))
     if is_family and not more:
         raise InputError(

@@ -74,7 +74,7 @@ def _read(path: str, content: bytes) -> tuple[dict[str, Any], Places]:
     except ValueError as error:
         why = " ".join(str(error).split())
         instead = next((text for part, text in NO_TOML.items() if part in why), IN_QUOTES)
-        raise InputError(f"{path}: is no TOML file ({why}); {instead}") from error
+        raise InputError(f"{path}: is not valid TOML ({why}); {instead}") from error
     return table, Places(path, text)
 
 

@@ -29,7 +29,7 @@ from verify.wire.inputs import InputError
 from verify.wire.text import Page
 from verify.wire.text.page_tables import Reader
 from verify.wire.text.places import Places
-from verify.wire.toml import TooLongError, toml_of
+from verify.wire.toml import TWICE, TooLongError, toml_of
 
 if TYPE_CHECKING:
     from verify.language.argument import Chapter
@@ -37,8 +37,7 @@ if TYPE_CHECKING:
 
 #: What to write in place of what is no TOML: where its reader says so, and elsewhere.
 NO_TOML: Mapping[str, str] = {
-    "Cannot overwrite a value": "a name stands there twice, choose another",
-    "Cannot declare": "a table stands there twice, write its lines together",
+    **TWICE,
     "Unescaped '\\'": "TeX is not read, write for example (a/b)*sqrt(x) <= alpha",
 }
 IN_QUOTES = "write formulas and Greek names in quotes"

@@ -62,7 +62,7 @@ class Reading:
 
     def values(self, asked: Asked, at: At) -> At:
         """Values by the names of the statement."""
-        known = {self.file.names[name]: value for name, value in at.items()}
+        known = {self.file.names[name.removeprefix("|")]: value for name, value in at.items()}
         names = [variable.name for variable in asked.variables]
         return {name: known[name.removeprefix(f"{asked.context}.")] for name in names}
 

@@ -125,7 +125,10 @@ def run(options: Options) -> int:
     try:
         check_map.plane_of(plane_document(plane))
     except check_map.LogError as error:
-        raise InputError(f"plane: the checker of maps cannot read it ({error})") from error
+        raise InputError(
+            f"plane: the checker of maps cannot read it ({error}); write shorter terms, with "
+            f"numbers of at most {check_map.MAX_DIGITS} digits"
+        ) from error
     progress = Progress(plane if delta is None else _strip(plane, delta))
     try:
         _grow(options, progress, Target(least, boxes, level), jobs)

@@ -53,6 +53,26 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
         "glue-angle": ("SharperCollapse.angle_stays", "SharperCollapse.sharper_collapse"),
     },
     "sandwich": {**_GENERAL, **_LENGTH},
+    "three-balls": {
+        "any-balls": ("Line.meets_next", "Line.parts"),
+        "comparison": ("ThreeBalls.goes_on",),
+        "cauchy-schwarz": _GENERAL["cauchy-schwarz"],
+        "bounded-monotone": _GENERAL["bounded-monotone"],
+        "finite-length": ("Settling.settles_in_time",),
+        "glue-next": (
+            "ThreeBallsStep.balls_step",
+            "ThreeBallsStep.balls_meet",
+            "ThreeBallsStep.balls_after",
+            "LineProof.bounced_parts",
+            "ThreeBallsStep.new_numbers",
+        ),
+        "glue-stairs": ("ThreeBallsMap.stair_theorem_holds",),
+        "glue-collapse": ("ThreeBallsCollapse.three_balls_theorem_holds",),
+        "glue-angle": (
+            "ThreeBallsCollapse.three_balls_theorem_holds",
+            "ThreeBallsCollapse.three_equal_balls_holds",
+        ),
+    },
     "outside": {name: _GENERAL[name] for name in ("hard-spheres", "cauchy-schwarz")},
     "flow": {"hard-spheres": _GENERAL["hard-spheres"]},
     "line": {

@@ -494,7 +494,7 @@ said(
 said(
     P,
     "below κ η_c²",
-    by=coded("κη_c²", "verify/paper/sharper.toml", 'start-d-small = "d_start <= k*y_start^2"'),
+    by=coded("κη_c²", "verify/paper/sharper.toml", "start-d-small: d_start <= k*y_start^2"),
 )
 said(
     P,
@@ -754,7 +754,7 @@ said(
 said(
     "docs/explanation/sharper.md",
     "p + Y < 1 |",
-    by=coded("p+Y<1", "verify/paper/sharper.toml", 'decay-positive = "0 < 1 - ratio"'),
+    by=coded("p+Y<1", "verify/paper/sharper.toml", "decay-positive: 0 < 1 - ratio"),
 )
 said("docs/index.md", "at r = {},", R)
 said(

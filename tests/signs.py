@@ -272,12 +272,6 @@ so(P, "at most σ_oa + σ_ob, so", true("σ_oa + σ_ob = σ_ob + σ_oa", in_line
 so(P, "A' = e² ≥ 0, where", true("m² + v² ≥ 0", between(-1, 1, "m", "v")))
 so(
     P,
-    "and L ≠ 0, as",
-    "angular momentum is not 0" in " ".join(THEOREMS)
-    or has("docs/explanation/classification.md", "IV b"),
-)
-so(
-    P,
     "b = (1+r)m/(m_o + m) for an outer particle of mass m, and b' for the other one",
     has("certificates/line/report.md", "b is (1+r) m_c/(m_0 + m_c), and b' is"),
 )

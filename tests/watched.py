@@ -127,16 +127,6 @@ said(
     *CODES,
 )
 SIGN, SET = sentences("printed-sign"), sentences("printed-set")
-said(
-    "README.md",
-    "{} sentences for the sign, of which Coq has proved {}",
-    *SIGN,
-)
-said(
-    "README.md",
-    "and {} for the set, of which it has proved {}.",
-    *SET,
-)
 
 # --- docs/contributing ----------------------------------------------------------------------------
 

@@ -48,7 +48,7 @@ POINTS = (
 COLLAPSES = (
     "no_triangle", "least_angle", "bounded_impulse", "no_spin", "finite_or_endless", "finite_if",
 )  # fmt: skip
-THREE_BALLS = ("three_balls_theorem", "stairs_theorem", "three_equal_balls")
+THREE_BALLS = ("three_balls_theorem", "stairs_theorem", "three_equal_balls", "law_theorem")
 MATRIX = ("basis_theorem", "matrix_theorem", "stated_theorem", "one_triple_theorem")
 VALUES = (
     "characteristic_theorem", "spectrum_theorem", "eigenvector_theorem", "parameter_theorem",

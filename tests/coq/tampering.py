@@ -293,6 +293,11 @@ OTHERS = {
     "three-equal-later": Definition(
         "ThreeBalls", "B0 B2 s) C_0 Theta.", "B0 B2 s) C_0 (2 * Theta)."
     ),
+    "law-another-ball": Definition("ThreeBalls", "radius z o c i y", "radius z o i c y"),
+    "law-of-no-flight": Definition("ThreeBalls", "0 < kap /\\", "kap < 0 /\\"),
+    "law-masses": Definition("ThreeBalls", "(1 + mass o / mass c)", "(1 + mass c / mass o)"),
+    "law-angle": Definition("ThreeBalls", "(to x o c) = - C /\\", "(to x o c) = C /\\"),
+    "law-outer-pair": Definition("ThreeBalls", "  0 < K_c + K_s - K_o", "  0 <= K_c + K_s - K_o"),
     "matrix-entry": Definition("Spectrum", "- 59 * r - 1) / 64", "- 59 * r + 1) / 64"),
     "matrix-order": Definition(
         "Spectrum",
@@ -337,6 +342,7 @@ PAGES = {
         {
             "ThreeBallsMap": ("stair_theorem",),
             "ThreeBallsCollapse": ("three_balls_theorem", "three_equal_balls"),
+            "BallsFlowStep": ("law_theorem",),
         },
     ),
     "PrintedSign": ("PinnedPrintedSign", {"PrintedSignProof": ("printed_sign_theorem",)}),

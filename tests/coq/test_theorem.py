@@ -147,7 +147,7 @@ def test_a_statement_after_another_one_begins_as_what_it_cites_does() -> None:
 def test_everything_of_the_proof_is_compiled() -> None:
     project = (SOURCES / "_CoqProject").read_text()
     compiled = re.findall(r"^(\w+)\.v$", project, re.MULTILINE)
-    made = ["Step", "All", "Flow", "Sharper", "AsPrinted", "Collapsing", "Balls"]
+    made = ["Step", "All", "Flow", "Sharper", "AsPrinted", "Collapsing", "Balls", "BallsFlow"]
     assert sorted(compiled) == sorted([*made, *(path.stem for path in SOURCES.glob("*.v"))])
 
 
@@ -459,6 +459,40 @@ SAID = {
             "Definition speed (x v : ball -> nat -> R) b : R := sqrt (dot d (from_to v "
             "o b) (from_to v o b)) / sigma b."
         ),
+        (
+            "forall d mass radius r x u o i c v lam rho eps sig A B C a b w y q kap s T"
+            " C' lam' A' B' a' b' w' eps', (forall b, 0 < mass b) -> (forall b, 0 < "
+            "radius b) -> (i <> o /\\ c <> o /\\ i <> c) -> products d radius x u o i c v"
+            " lam rho eps sig A B C a b w -> collision_numbers ((radius o + radius c) ^"
+            " 2) ((radius o + radius i) ^ 2) ((radius i + radius c) ^ 2) (1 + mass o / "
+            "mass c) r v lam rho eps sig A B C a b w y q kap s T C' lam' A' B' a' b' w'"
+            " eps' -> exists u', meet_first d radius x u o c (y * T) /\\ part d mass r "
+            "(moved (y * T) x u) u o c u' /\\ products d radius (moved (y * T) x u) u' o"
+            " c i y lam' (r * s) eps' 0 A' B' C' a' b' w'."
+        ),
+        (
+            "let x_i := from_to x o i in let x_c := from_to x o c in let W_i := from_to"
+            " u o i in let W_c := from_to u o c in dot d x_i x_i = (radius o + radius "
+            "i) ^ 2 + sig * v ^ 2 /\\ dot d x_c x_c = (radius o + radius c) ^ 2 + eps * "
+            "v ^ 2 /\\ dot d x_i x_c = - C /\\ dot d x_i W_i = rho * v /\\ dot d x_c W_c ="
+            " - (lam * v) /\\ dot d x_i W_c = a /\\ dot d x_c W_i = b /\\ dot d W_i W_i = "
+            "B /\\ dot d W_c W_c = A /\\ dot d W_i W_c = w."
+        ),
+        (
+            "0 < r /\\ 0 < v /\\ 0 < lam /\\ 0 <= A /\\ y = lam * v /\\ q = rho / lam /\\ kap"
+            " = eps / lam / lam /\\ 0 < kap /\\ 0 < 1 - A * kap /\\ s = sqrt (1 - A * kap)"
+            " /\\ T = kap / (1 + s) /\\ C' = C - y * T * (a + (b + y * T * w)) /\\ lam' = "
+            "(1 + r) / n * s * C' / K_c - q - T * B /\\ A' = B + (1 + r) / n * (y * s) *"
+            " (2 * (b + y * T * w) + (1 + r) / n * (y * s)) / K_c /\\ B' = A - (1 - r ^ "
+            "2) * (y * s) ^ 2 / K_c /\\ a' = b + y * T * w + (1 + r) / n * (y * s) /\\ b'"
+            " = a + y * T * w - n * ((1 + r) / n * (y * s)) * C' / K_c /\\ w' = w + (1 +"
+            " r) / n * (y * s) * (n * (b + y * T * w) + r * (y * s)) / K_c /\\ eps' = "
+            "sig / lam / lam + T * (2 * q + T * B) /\\ 0 <= sig /\\ 0 <= sig + T * lam * "
+            "rho /\\ 0 < eps' /\\ 0 <= K_c + K_s - K_o + (eps + sig) * v ^ 2 + 2 * C /\\ 0"
+            " <= K_c + K_s - K_o + (eps + sig) * v ^ 2 + 2 * C + ((rho - lam) * v - a -"
+            " b) * (y * T) /\\ 0 < K_c + K_s - K_o + (eps + sig) * v ^ 2 + 2 * C + y * T"
+            " * (2 * ((rho - lam) * v - a - b) + (A + B - 2 * w) * (y * T)) /\\ 0 <= B'."
+        ),
         "Print Assumptions three_balls_proved.",
     ),
     "PinnedSpectrum": (
@@ -530,6 +564,9 @@ WEAKER = (
     ("PinnedThreeBalls", "(radius a + radius c) ^ 2 <", "(radius a + radius c) ^ 2 <="),
     ("PinnedThreeBalls", "B0 B2 x v) C_0 Theta.", "B0 B2 x v) C_0 (2 * Theta)."),
     ("PinnedThreeBalls", "meet_first d radius (places n)", "meet_first 2 radius (places n)"),
+    ("PinnedThreeBalls", "u' o c i y lam'", "u' o i c y lam'"),
+    ("PinnedThreeBalls", "0 < kap /\\", "kap < 0 /\\"),
+    ("PinnedThreeBalls", "(1 + mass o / mass c)", "(1 + mass c / mass o)"),
     ("PinnedSpectrum", "0 < im /\\", "0 <= im /\\"),
     ("PinnedSpectrum", "re ^ 2 + im ^ 2 < 1 /\\", "re ^ 2 + im ^ 2 <= 1 /\\"),
     ("PinnedSpectrum", "eigenvector r mu nu u v) <->", "eigenvector r mu nu u v) ->"),

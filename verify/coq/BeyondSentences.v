@@ -5,7 +5,7 @@ From Coq Require Import Reals List.
 Import ListNotations.
 From Verify Require Vectors Motion Runs Classification Contacts Settling Endless Turning ClassificationProof.
 From Verify Require Finite FiniteScenes Deadline ManyBalls Line LineProof PrintedSign PrintedSignProof.
-From Verify Require Meaning Balls AnyStep ThreeBalls ThreeBallsStep ThreeBallsMap ThreeBallsCollapse.
+From Verify Require Meaning Balls AnyStep ThreeBalls ThreeBallsStep ThreeBallsMap ThreeBallsCollapse BallsFlowStep.
 From Verify Require Spectrum SpectrumMatrix SpectrumRoots SpectrumEigen SpectrumOrbits SpectrumSentences.
 Open Scope R_scope.
 Definition B1 : ball := Theorem1.B1.
@@ -164,6 +164,7 @@ Check (ThreeBallsStep.new_numbers : forall v, ThreeBallsStep.numbers_of (ThreeBa
 Check (ThreeBallsMap.stair_theorem_holds : ThreeBalls.stair_theorem).
 Check (ThreeBallsCollapse.three_balls_theorem_holds : ThreeBalls.three_balls_theorem).
 Check (ThreeBallsCollapse.three_equal_balls_holds : ThreeBalls.three_equal_balls).
+Check (BallsFlowStep.law_theorem_holds : ThreeBalls.law_theorem).
 
 (* --- the spectrum ----------------------------------------------------------------------------------- *)
 

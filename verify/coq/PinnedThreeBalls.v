@@ -1,8 +1,8 @@
 (* What is proved of the collapse of three balls of any masses and radii, spelled out once more, with the
-   words of Pinned.v. A reader compares it with the statement of certificates/three-balls, and with the
-   prose; and if ThreeBalls.v comes to say less, the proofs at the end fail. *)
+   words of Pinned.v. A reader compares it with the statements of certificates/three-balls and
+   certificates/flow-of-balls, and with the prose; and if ThreeBalls.v comes to say less, the proofs at the end fail. *)
 From Verify Require Import Pinned PinnedClassification PinnedLine.
-From Verify Require Theorem1 Contacts Determined ThreeBalls ThreeBallsMap ThreeBallsCollapse.
+From Verify Require Theorem1 Contacts Determined ThreeBalls ThreeBallsMap ThreeBallsCollapse BallsFlowStep.
 From Coq Require Import Reals Arith Lra.
 Open Scope R_scope.
 Definition B1 : ball := Pinned.B1.  (* Coq has another one *)
@@ -100,6 +100,47 @@ Definition three_equal_balls : Prop :=
   start d (fun _ => 1) (fun _ => 1 / 2) (fun _ => r) B0 B1 B2 w Y k E G U_b C_0 Theta z Q_0 U_0 x v ->
   collapse d r x v (E B2 * closing_speed d (fun _ => 1 / 2) B0 B2 x v) C_0 Theta.
 
+(* --- one collision, as certificates/flow-of-balls has it -------------------------------------------- *)
+
+(* The inner products of the places and velocities of i and c, seen from o; v is a unit of speed. *)
+Definition products d (radius : ball -> R) (x u : ball -> nat -> R) o i c
+    (v lam rho eps sig A B C a b w : R) : Prop :=
+  let x_i := from_to x o i in let x_c := from_to x o c in
+  let W_i := from_to u o i in let W_c := from_to u o c in
+  dot d x_i x_i = (radius o + radius i) ^ 2 + sig * v ^ 2 /\
+  dot d x_c x_c = (radius o + radius c) ^ 2 + eps * v ^ 2 /\ dot d x_i x_c = - C /\
+  dot d x_i W_i = rho * v /\ dot d x_c W_c = - (lam * v) /\ dot d x_i W_c = a /\ dot d x_c W_i = b /\
+  dot d W_i W_i = B /\ dot d W_c W_c = A /\ dot d W_i W_c = w.
+(* The givens: what the numbers are of the collision, after the time y T, and of the state after it; and
+   that nobody meets before, in Bernstein's basis. *)
+Definition collision_numbers (K_c K_s K_o n r v lam rho eps sig A B C a b w y q kap s T
+    C' lam' A' B' a' b' w' eps' : R) : Prop :=
+  0 < r /\ 0 < v /\ 0 < lam /\ 0 <= A /\ y = lam * v /\ q = rho / lam /\ kap = eps / lam / lam /\
+  0 < kap /\ 0 < 1 - A * kap /\ s = sqrt (1 - A * kap) /\ T = kap / (1 + s) /\
+  C' = C - y * T * (a + (b + y * T * w)) /\
+  lam' = (1 + r) / n * s * C' / K_c - q - T * B /\
+  A' = B + (1 + r) / n * (y * s) * (2 * (b + y * T * w) + (1 + r) / n * (y * s)) / K_c /\
+  B' = A - (1 - r ^ 2) * (y * s) ^ 2 / K_c /\
+  a' = b + y * T * w + (1 + r) / n * (y * s) /\
+  b' = a + y * T * w - n * ((1 + r) / n * (y * s)) * C' / K_c /\
+  w' = w + (1 + r) / n * (y * s) * (n * (b + y * T * w) + r * (y * s)) / K_c /\
+  eps' = sig / lam / lam + T * (2 * q + T * B) /\
+  0 <= sig /\ 0 <= sig + T * lam * rho /\ 0 < eps' /\
+  0 <= K_c + K_s - K_o + (eps + sig) * v ^ 2 + 2 * C /\
+  0 <= K_c + K_s - K_o + (eps + sig) * v ^ 2 + 2 * C + ((rho - lam) * v - a - b) * (y * T) /\
+  0 < K_c + K_s - K_o + (eps + sig) * v ^ 2 + 2 * C +
+    y * T * (2 * ((rho - lam) * v - a - b) + (A + B - 2 * w) * (y * T)) /\
+  0 <= B'.
+Definition law_theorem : Prop :=
+  forall d mass radius r x u o i c v lam rho eps sig A B C a b w y q kap s T C' lam' A' B' a' b' w' eps',
+  (forall b, 0 < mass b) -> (forall b, 0 < radius b) -> (i <> o /\ c <> o /\ i <> c) ->
+  products d radius x u o i c v lam rho eps sig A B C a b w ->
+  collision_numbers ((radius o + radius c) ^ 2) ((radius o + radius i) ^ 2) ((radius i + radius c) ^ 2)
+    (1 + mass o / mass c) r v lam rho eps sig A B C a b w y q kap s T C' lam' A' B' a' b' w' eps' ->
+  exists u', meet_first d radius x u o c (y * T) /\
+    part d mass r (moved (y * T) x u) u o c u' /\
+    products d radius (moved (y * T) x u) u' o c i y lam' (r * s) eps' 0 A' B' C' a' b' w'.
+
 (* --- ThreeBalls.v says this ------------------------------------------------------------------------ *)
 
 Theorem three_balls_theorem_proved : three_balls_theorem.
@@ -129,10 +170,27 @@ Proof.
   exact (ThreeBallsCollapse.three_equal_balls_holds d r w Y k E G U_b C_0 Theta z Q_0 U_0 (placed x v) R N O S).
 Qed.
 
+Theorem law_theorem_proved : law_theorem.
+Proof.
+  intros d mass radius r x u o i c v lam rho eps sig A B C a b w y q kap s T C' lam' A' B' a' b' w' eps' M P' D G N.
+  destruct (BallsFlowStep.law_theorem_holds d mass radius r (placed x u) o i c v lam rho eps sig A B C a b w y q kap s T
+    C' lam' A' B' a' b' w' eps' M P' D G N) as (z & (F1 & F2 & F3 & F4 & F5) & Z & X).
+  exists (Theorem1.velocity z). assert (K : o <> c) by (destruct D as (? & ? & ?); congruence).
+  destruct Z as (J & _ & Z & V & H). split; [repeat (split; [assumption|]); assumption|]. split.
+  - exists J. split; [|split; [|split]].
+    + intros k. rewrite V. now rewrite Contacts.same_true.
+    + intros k. rewrite V, Contacts.same_true, Contacts.same_false by congruence. reflexivity.
+    + intros j k J1 J2. rewrite V. now rewrite !Contacts.same_false by assumption.
+    + unfold Theorem1.rate, Theorem1.to in H. rewrite Z in H. exact H.
+  - unfold ThreeBalls.in_products, Theorem1.to in X. rewrite Z in X. exact X.
+Qed.
+
 (* --- what is proved -------------------------------------------------------------------------------- *)
 
-Theorem three_balls_proved : three_balls_theorem /\ stairs_theorem /\ three_equal_balls.
-Proof. exact (conj three_balls_theorem_proved (conj stairs_theorem_proved three_equal_balls_proved)). Qed.
+Theorem three_balls_proved : three_balls_theorem /\ stairs_theorem /\ three_equal_balls /\ law_theorem.
+Proof.
+  exact (conj three_balls_theorem_proved (conj stairs_theorem_proved (conj three_equal_balls_proved law_theorem_proved))).
+Qed.
 (* It is about something: balls of the masses 1, 1, 2 and the radii 1, 1, 1/2 in the plane. *)
 Definition of_three (p q s : R) (b : ball) : R := match b with Theorem1.B0 => p | Theorem1.B1 => q | Theorem1.B2 => s end.
 Definition some_numbers (holds : (ball -> R) -> (ball -> R) -> (ball -> R) -> (ball -> R) -> (ball -> R) -> (ball -> R) ->

@@ -114,3 +114,44 @@ Definition three_equal_balls : Prop :=
   goes_on mass radius same B0 B1 B2 w G U_most C_0 Theta Q_0 U_0 ->
   starts d mass radius same B0 B1 B2 w Y k E G U_most C_0 Theta z Q_0 U_0 s ->
   collapse d r s (E B2 * closing d radius B0 B2 s) C_0 Theta.
+
+(* --- one collision of three balls in inner products, as certificates/flow-of-balls has it ------------- *)
+
+(* Seen from ball o: the ball i is at x_i and moves with W_i, the ball c at x_c with W_c. *)
+Definition in_products (d : nat) (radius : ball -> R) (x : scene) (o i c : ball)
+    (v lam rho eps sig A B C a b w : R) : Prop :=
+  dot d (to x o i) (to x o i) = (radius o + radius i) ^ 2 + sig * v ^ 2 /\
+  dot d (to x o c) (to x o c) = (radius o + radius c) ^ 2 + eps * v ^ 2 /\
+  dot d (to x o i) (to x o c) = - C /\
+  dot d (to x o i) (relative x o i) = rho * v /\ dot d (to x o c) (relative x o c) = - (lam * v) /\
+  dot d (to x o i) (relative x o c) = a /\ dot d (to x o c) (relative x o i) = b /\
+  dot d (relative x o i) (relative x o i) = B /\ dot d (relative x o c) (relative x o c) = A /\
+  dot d (relative x o i) (relative x o c) = w.
+(* The givens: what the numbers are of the collision, after the time y T, and of the state after it; and
+   that nobody meets before, in Bernstein's basis. *)
+Definition collision_numbers (K_c K_s K_o n r v lam rho eps sig A B C a b w y q kap s T
+    C' lam' A' B' a' b' w' eps' : R) : Prop :=
+  0 < r /\ 0 < v /\ 0 < lam /\ 0 <= A /\ y = lam * v /\ q = rho / lam /\ kap = eps / lam / lam /\
+  0 < kap /\ 0 < 1 - A * kap /\ s = sqrt (1 - A * kap) /\ T = kap / (1 + s) /\
+  C' = C - y * T * (a + (b + y * T * w)) /\
+  lam' = (1 + r) / n * s * C' / K_c - q - T * B /\
+  A' = B + (1 + r) / n * (y * s) * (2 * (b + y * T * w) + (1 + r) / n * (y * s)) / K_c /\
+  B' = A - (1 - r ^ 2) * (y * s) ^ 2 / K_c /\
+  a' = b + y * T * w + (1 + r) / n * (y * s) /\
+  b' = a + y * T * w - n * ((1 + r) / n * (y * s)) * C' / K_c /\
+  w' = w + (1 + r) / n * (y * s) * (n * (b + y * T * w) + r * (y * s)) / K_c /\
+  eps' = sig / lam / lam + T * (2 * q + T * B) /\
+  0 <= sig /\ 0 <= sig + T * lam * rho /\ 0 < eps' /\
+  0 <= K_c + K_s - K_o + (eps + sig) * v ^ 2 + 2 * C /\
+  0 <= K_c + K_s - K_o + (eps + sig) * v ^ 2 + 2 * C + ((rho - lam) * v - a - b) * (y * T) /\
+  0 < K_c + K_s - K_o + (eps + sig) * v ^ 2 + 2 * C +
+    y * T * (2 * ((rho - lam) * v - a - b) + (A + B - 2 * w) * (y * T)) /\
+  0 <= B'.
+Definition law_theorem : Prop :=
+  forall d mass radius r x o i c v lam rho eps sig A B C a b w y q kap s T C' lam' A' B' a' b' w' eps',
+  (forall b, 0 < mass b) -> (forall b, 0 < radius b) -> distinct_balls o i c ->
+  in_products d radius x o i c v lam rho eps sig A B C a b w ->
+  collision_numbers ((radius o + radius c) ^ 2) ((radius o + radius i) ^ 2) ((radius i + radius c) ^ 2)
+    (1 + mass o / mass c) r v lam rho eps sig A B C a b w y q kap s T C' lam' A' B' a' b' w' eps' ->
+  exists z, meets_next d radius x o c (y * T) /\ parts d mass r o c (later (y * T) x) z /\
+    in_products d radius z o c i y lam' (r * s) eps' 0 A' B' C' a' b' w'.

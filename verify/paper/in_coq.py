@@ -75,6 +75,7 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
     },
     "outside": {name: _GENERAL[name] for name in ("hard-spheres", "cauchy-schwarz")},
     "flow": {"hard-spheres": _GENERAL["hard-spheres"]},
+    "flow-of-balls": {"any-balls": ("Line.meets_next", "Line.parts")},
     "line": {
         "balls-on-a-line": ("Line.parts", "Line.share"),
         "bounded-monotone": _GENERAL["bounded-monotone"],

@@ -34,12 +34,13 @@ from verify.spheres.scene.decide import (
     Fate,
     decide_scene,
 )
-from verify.spheres.scene.scene import Bodies, Scene
+from verify.spheres.scene.scene import PAIRS, Bodies, Scene, pair_name
 from verify.spheres.scene.scene_files import is_in_range
 from verify.spheres.scene.statement import (
     CLASSIFICATION,
     CLASSIFICATION_OF_BALLS,
     MASS,
+    RESTITUTION,
     SIZES,
     TIME,
     Numbers,
@@ -211,8 +212,9 @@ def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:
     if kind == "line":
         return Sum((), given)
     if kind == "range":
-        restitution = telling.parameters["r"].value
-        return Sum(("goal", str(restitution if name == "low" else 1 - restitution)), given)
+        side, _, pair = name.partition(".")
+        restitution = telling.parameters[f"{RESTITUTION}.{pair}" if pair else RESTITUTION].value
+        return Sum(("goal", str(restitution if side == "low" else 1 - restitution)), given)
     return Interval(bits)
 
 
@@ -256,7 +258,9 @@ def read_back(parameters: Mapping[str, Term]) -> Scene | None:
         letter: [[f"{letter}.{i}.{k}" for k in range(1, count + 1)] for i in range(3)]
         for letter in ("x", "v")
     }
-    names = {"r", *(name for table in rows.values() for row in table for name in row)}
+    pairs = [f"{RESTITUTION}.{pair_name(i, j)}" for i, j in PAIRS]
+    restitutions = [RESTITUTION] if RESTITUTION in parameters else pairs
+    names = {*restitutions, *(name for table in rows.values() for row in table for name in row)}
     names |= {name for row in sizes for name in row}
     numbers = all(term.op == "rational" for term in parameters.values())
     if count < 1 or {*parameters} != names or not numbers:
@@ -270,7 +274,13 @@ def read_back(parameters: Mapping[str, Term]) -> Scene | None:
     )
     if bodies is not None and min(*bodies.masses, *bodies.radii) <= 0:
         return None
-    scene = Scene(parameters["r"].value, positions, velocities, bodies=bodies)
+    values = [parameters[name].value for name in restitutions]
+    several = (values[0], values[1], values[2]) if len({*values}) > 1 else None
+    if several is None and restitutions is pairs:
+        return None
+    if several is not None and bodies is None:
+        return None
+    scene = Scene(max(values), positions, velocities, bodies=bodies, restitutions=several)
     return scene if is_in_range(scene) else None
 
 

@@ -168,7 +168,8 @@ class Flow:
         if not is_next(moment.state, way, sizes):
             return None
         o, s, c = moment.frame
-        state = collided(self.r, moment.state, way, self.keep, sizes)
+        r = balls.exact(self.scene.restitution(moment.frame[0], moment.frame[2]))
+        state = collided(r, moment.state, way, self.keep, sizes)
         after = Moment((o, c, s), state, self.keep("time", moment.time + way.y * way.T))
         return [*moves, Move(COLLIDE, moment, after, way)]
 

@@ -157,29 +157,31 @@ def told_event(event: Event) -> str:
 
 def find_end(flow: Flow) -> Collapse | None:
     """Why the spheres collapse, as the moment after the last collision shows it."""
-    now, r = flow.now, flow.scene.r
+    now, scene = flow.now, flow.scene
     if now is None:
         return None
+    o, s, c = now.frame
+    r, is_one = scene.restitution(o, c), scene.restitution(o, c) == scene.restitution(o, s)
     if flow.is_on_a_line is None:
         flow.is_on_a_line = is_on_a_line(flow.scene)
-    if flow.is_on_a_line:
-        o, s, c = now.frame
+    if flow.is_on_a_line and is_one:  # the theorem on a line is about one r
         sizes, other = flow.sizes(now.frame), flow.sizes((o, c, s))
         return find_line_collapse(r, now.state, now.time, sizes, other)
-    if flow.scene.bodies is not None:  # the others are about diameters that are 1
-        bodies = bodies_of(flow.scene.r, flow.scene.bodies, now.frame)
+    if scene.bodies is not None:  # the others are about diameters that are 1
+        bodies = bodies_of(scene, scene.bodies, now.frame)
         start = scaled(start_of(now.state, flow.sizes(now.frame)), bodies.contacts)
         return find_three_balls(bodies, start, now.time)
     found = find_collapse(r, now.state, now.time)
     return find_sandwich(r, now.state, now.time) if found is None else found
 
 
-def bodies_of(r: Fraction, given: Given, frame: Frame) -> Bodies:
-    """Masses and distances of contact as the theorem on three balls names them."""
+def bodies_of(scene: Scene, given: Given, frame: Frame) -> Bodies:
+    """Masses, distances of contact and restitutions as the theorem on three balls names them."""
     o, s, c = frame
     mass, radius = given.masses, given.radii
     contacts = (radius[o] + radius[c], radius[o] + radius[s])
-    return Bodies(mass[o], (mass[c], mass[s]), contacts, radius[c] + radius[s], (r, r))
+    both = scene.restitution(o, c), scene.restitution(o, s)
+    return Bodies(mass[o], (mass[c], mass[s]), contacts, radius[c] + radius[s], both)
 
 
 def _at_last(known: Fate, found_at: int, digits: int | None) -> Fate:

@@ -20,7 +20,7 @@ from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import ConstantStep, ObligationStep, Premise, Proof, Step
 from verify.prover.rules import Applying, Interval, Sum
 from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, THREE_BALLS
-from verify.spheres.flow.contexts import FLOW, FLOW_OF_BALLS
+from verify.spheres.flow.contexts import FLOW, FLOW_OF_BALLS, TOUCHING
 from verify.spheres.flow.follow import COLLIDE, DRIFT
 from verify.spheres.scene.assumptions import ASSUMPTIONS
 from verify.spheres.scene.decide import (
@@ -46,7 +46,7 @@ from verify.spheres.scene.statement import (
     Numbers,
     Telling,
 )
-from verify.spheres.scene.verdict import scene_lines, theorems
+from verify.spheres.scene.verdict import is_settled_at_start, scene_lines, theorems
 
 #: Digits of the times in a certificate.
 DIGITS = 16
@@ -68,6 +68,7 @@ PAGES = {
     SANDWICH: "sandwich_below",
     SHARPER: "sharper",
     THREE_BALLS: "three_balls",
+    TOUCHING: "touching",
 }
 
 
@@ -98,18 +99,13 @@ def tell(found: Fate) -> Telling:
         telling.begin(moves[0].before.frame)
     for move in moves:
         if move.kind == COLLIDE:
-            telling.collide()
+            telling.collide(move.weights)
         elif move.kind == DRIFT:
             telling.drift(move.time)
         else:
             telling.recentre()
     _tell_end(telling, found)
     return telling
-
-
-def is_settled_at_start(found: Fate) -> bool:
-    """Whether no collision has to be followed for the verdict."""
-    return found.criterion is not None and found.criterion.at_start
 
 
 def _tell_end(telling: Telling, found: Fate) -> None:

@@ -18,6 +18,10 @@ GLUE = {
         "and so on. The r of a row collision.n is that of its pair, with which the law of "
         "collision holds for it."
     ),
+    "scene-touching": (
+        "1''. A row collision.n that applies touching is about a collision while others may be in "
+        "contact; as glue-touching says there, it is the next one, or may count as the next."
+    ),
     "scene-disperses": (
         "2. By the rows end.ij, which apply the flow to the pairs of the last state, each pair of "
         "particles parts or passes by for ever: there is no further collision."

@@ -20,8 +20,8 @@ from verify.spheres.flow.line import LineRun, follow_line, is_on_a_line
 from verify.spheres.flow.sandwich import find_sandwich
 from verify.spheres.flow.three_balls import Bodies, find_three_balls, scaled
 from verify.spheres.scene.criteria import Criterion, finitely_many
+from verify.spheres.scene.scene import HALF, Frame, Scene
 from verify.spheres.scene.scene import Bodies as Given
-from verify.spheres.scene.scene import Frame, Scene
 
 COLLAPSES, DISPERSES, FINITE, UNDECIDED = "collapses", "disperses", "finite", "undecided"
 #: Names of reasons; a criterion and what balls leave open have theirs.
@@ -76,6 +76,16 @@ class Fate(Record):
 
 
 def decide_scene(scene: Scene, budget: Budget = Budget()) -> Fate:  # noqa: B008
+    """The verdict; where equal spheres touch at once, as the law for any spheres says it."""
+    found = _decide(scene, budget)
+    if scene.bodies is not None or found.why != TRIPLE:
+        return found
+    equal = Given((scene.mass,) * 3, (HALF,) * 3)
+    more = _decide(scene._replace(bodies=equal), budget)
+    return more if more.collisions > found.collisions else found
+
+
+def _decide(scene: Scene, budget: Budget) -> Fate:
     """The verdict; the precision is doubled until balls decide every step, or it is spent."""
     bits = max(budget.bits, 64 + 4 * (budget.digits or 0))
     while True:

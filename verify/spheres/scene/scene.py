@@ -17,6 +17,8 @@ PAIRS = ((0, 1), (0, 2), (1, 2))
 Frame = tuple[int, int, int]
 #: Frames in which the pairs 01, 02 and 12 are o, c.
 FIRST_FRAMES: tuple[Frame, ...] = ((0, 2, 1), (0, 1, 2), (1, 0, 2))
+#: A frame in which 0 touches or collides with both others, seen so that 01 is o, c and 02 is c, s.
+AROUND_FIRST: Frame = (1, 2, 0)
 Vector = Sequence[Number]
 HALF = Fraction(1, 2)
 

@@ -26,8 +26,10 @@ from verify.spheres.flow.contexts import (
     PARTING,
     PASSING,
     RECENTRE,
+    TOUCHING,
     UNIT,
 )
+from verify.spheres.flow.follow import Weights
 from verify.spheres.flow.law import (
     EQUAL,
     Pair,
@@ -231,28 +233,25 @@ class Telling:
             self.given.state(frame, lambda name, term: self.known(name, values[name], term))
         )
 
-    def collide(self) -> None:
-        """The pair o, c collides: the next collision."""
+    def collide(self, weights: Weights | None = None) -> None:
+        """The pair o, c collides: the next collision; with weights if another is in contact."""
         before, (o, s, c) = self._next(), self.frame
         self.collisions += 1
         way, restitution = flight(before, sqrt, self.keep), self.restitution(o, c)
         after = collided(restitution, before, way, self.keep, self.sizes())
         self.time = self.keep(TIME, self.time + way.y * way.T)
         later = {f"{n}_next": getattr(after, n) for n in NAMED[COLLISION]}
-        self.apply(
-            f"collision.{self.collisions}",
-            f"collision {self.collisions}, of {pair_name(o, c)}, at the time t_{self.moves}; no "
-            "other pair meets before",
-            COLLISION,
-            {
-                "r": restitution,
-                **self._squares_at(COLLISION),
-                **before._asdict(),
-                **way._asdict(),
-                **later,
-            },
-            *(() if self.scene.restitutions is None else ("scene-restitutions",)),
-        )
+        at = {"r": restitution, **self._squares_at(COLLISION)}
+        at |= {**before._asdict(), **way._asdict(), **later}
+        uses = [] if self.scene.restitutions is None else ["scene-restitutions"]
+        context, others = f"{self.flow}:{COLLISION}", "no other pair meets before"
+        if weights is not None:
+            at |= {"z_s": weights.s, "z_o": weights.o, "e": weights.angle}
+            uses, context = [*uses, "scene-touching"], f"{TOUCHING}:{TOUCHING}"
+            others = "no other pair in contact approaches, or at a right angle only"
+        says = f"collision {self.collisions}, of {pair_name(o, c)}, at the time t_{self.moves}; "
+        claim = Applies(context, {key: as_term(value) for key, value in at.items()})
+        self.row(f"collision.{self.collisions}", says + others, claim, "scene", *uses)
         self.frame, self.state = (o, c, s), _terms(after)
 
     def recentre(self) -> None:

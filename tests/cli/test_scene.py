@@ -144,7 +144,7 @@ BAD = {
     "mass-unit": (GOOD + 'masses = ["1 kg", 1, 1]\n', "'1 kg' is not an exact number"),
     "angle": (GOOD.replace("-1.006", '"-1.5*cos(30°)"'), "write coordinates, not angles"),
     "diameter": (GOOD + 'diameter = "0"\n', "diameter: '0' is not positive"),
-    "no-toml": ("r = = 1\n", "is no TOML file"),
+    "no-toml": ("r = = 1\n", "is not valid TOML"),
     "twice": (GOOD + "r = 0.04\n", "a name stands there twice"),
     "twice-inside": (GOOD + "[parameters]\nh = {a = 1, a = 2}\n", "a key stands there twice"),
     "like-another": (GOOD + '"r\u0301" = 0.04\n', "do you mean r?"),

@@ -420,7 +420,7 @@ def test_an_induction() -> None:
         ('"2 < b < 3"', '{ applies = "low", at = {} }', "'x' has no value; write values of x"),
         ("[constants]", "[cites]\nm = 'mean'\n[constants]", "no statement of the theorem 'mean'"),
         ('"0 < d"', '"' + "(" * 3000 + 'd"', "nests too deeply"),
-        ("[rows]", "[rows", "is no TOML file"),
+        ("[rows]", "[rows", "is not valid TOML"),
     ],
 )
 def test_what_is_said_of_a_mistake(old: str, new: str, says: str) -> None:

@@ -45,6 +45,7 @@ from tests.facts import (
     separatrix_at,
     sides,
     sine,
+    so,
     strip_border,
     told,
     true,
@@ -59,6 +60,7 @@ from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.outcome import EXIT_CODES
 from verify.spheres.limit_map import Parameters
 from verify.spheres.scene.criteria import SAYS_OF_UNEQUAL
+from verify.spheres.scene.middle import Middle, excluded, rests
 from verify.spheres.scene.sampling import CELLS
 from verify.spheres.scene.scene_files import MAX_DIMENSION
 from verify.views.classification import THEOREMS
@@ -125,16 +127,6 @@ said(
     *CODES,
 )
 SIGN, SET = sentences("printed-sign"), sentences("printed-set")
-said(
-    "README.md",
-    "{} sentences for the sign, of which Coq has proved {}",
-    *SIGN,
-)
-said(
-    "README.md",
-    "and {} for the set, of which it has proved {}.",
-    *SET,
-)
 
 # --- docs/contributing ----------------------------------------------------------------------------
 
@@ -584,6 +576,24 @@ said(
     "bb' cos²θ > 4r:",
     by=coded("bb'cos²θ>4r", "certificates/line/report.md", "r <= bb'Q(1 - Q) and 2Q < 1"),
 )
+EQUAL = {
+    r: Middle(0, (1, 2), Fraction(1), (Fraction(1),) * 2, (Fraction(r),) * 2)
+    for r in ("0.0717", "0.0718", "0.0557", "0.0558")
+}
+so(
+    P,
+    "if bb' < 4r. The lightest particle decides; for equal masses this says that r > 7 - 4√3",
+    excluded(EQUAL["0.0717"]) is None,
+    excluded(EQUAL["0.0718"]) is not None,
+)
+so(
+    P,
+    "bb' < (r^(1/3) + r^(2/3))² for each particle in the middle",
+    rests(EQUAL["0.0557"]) is None,
+    rests(EQUAL["0.0558"]) is not None,
+)
+so(P, "L is not 0, and", "0 < L2" in file("verify/spheres/scene/statement.py"))
+so(P, "angular momentum is 0: for", "angular momentum is 0" in UNEQUAL)
 SMALL = "certificates/scenes/small-bead.toml"
 said(
     P,

@@ -163,6 +163,8 @@ def model_of(tree: list[object]) -> At:
     """The rational numbers in a model."""
     found = {}
     for part in tree:
+        if isinstance(part, list) and part[1:3] == [[], "Real"]:
+            part.insert(1, "|")  # Z3 prints nothing for the name of no letters
         if isinstance(part, list) and part[:1] == ["define-fun"] and part[2:4] == [[], "Real"]:
             try:
                 found[naive.name_of(part[1])] = Fraction(naive.evaluate(part[4], {}))

@@ -85,6 +85,11 @@ THEOREMS = (
     Theorem("thresholds", f"{THEOREM} as printed, where it depends", decided_thresholds),
     Theorem("spectrum", "THEORSS3.5SpectMatricVitLm", spectrum.decide_spectrum),
     Theorem("classification", "classification", classification.decide_classification),
+    Theorem(
+        "classification-of-balls",
+        "classification-of-balls",
+        partial(pages.decide, "classification_of_balls"),
+    ),
     Theorem("elsewhere", "elsewhere", sections_1_to_4.decide_elsewhere),
     Theorem("sharper", "sharper", collapse.decide_sharper),
     Theorem("sandwich", "sandwich", collapse.decide_sandwich),

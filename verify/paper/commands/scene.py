@@ -38,6 +38,7 @@ from verify.spheres.scene.scene import Bodies, Scene
 from verify.spheres.scene.scene_files import is_in_range
 from verify.spheres.scene.statement import (
     CLASSIFICATION,
+    CLASSIFICATION_OF_BALLS,
     MASS,
     SIZES,
     TIME,
@@ -59,6 +60,7 @@ MANY, FEW_BITS = 500, 80
 #: The pages of the theorems that a scene may cite.
 PAGES = {
     CLASSIFICATION: "classification",
+    CLASSIFICATION_OF_BALLS: "classification_of_balls",
     FLOW: "flow",
     FLOW_OF_BALLS: "flow_of_balls",
     LINE: "line",

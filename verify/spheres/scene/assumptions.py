@@ -32,6 +32,14 @@ GLUE = {
         "there is no collapse, and as L is not 0 only finitely many collisions are possible, by "
         "glue-endless, unless a triple or a grazing contact comes before."
     ),
+    "scene-finite-balls": (
+        "2. The particles are balls of the classification of balls, all pairs with the same r, and "
+        "R², A and L are as there. By its glue-scenes the rows finite show that from the moment "
+        "that they are about, or from the start, there is no collapse any more, and that only "
+        "finitely many collisions are possible, unless a triple or a grazing contact comes before: "
+        "(i) where the rows finite.middle apply excluded, (ii) where they apply rests, and L² > 0, "
+        "(iii) and (iv) where they are about R², A and L² of this moment."
+    ),
     "scene-collapses": (
         "2. After the last collision s and o are in contact, ω_s = x_s and ω_c = x_c/|x_c|; by the "
         "row unit, which applies the flow, the numbers in the row collapse are those of this state "

@@ -6,7 +6,7 @@ collision, and what decides the scene, to the state after the last one.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from itertools import chain, pairwise
 from math import lcm
@@ -44,11 +44,15 @@ from verify.spheres.scene.criteria import (
     MOMENTUM,
     RECEDING,
     SAYS,
+    TURNING,
+    Spread,
     comes_to_rest,
     inelastic,
+    spread,
     turning,
     whole,
 )
+from verify.spheres.scene.middle import Middle, excluded, middles, rests
 from verify.spheres.scene.scene import (
     FIRST_FRAMES,
     PAIRS,
@@ -63,6 +67,10 @@ from verify.spheres.scene.scene import (
 LABEL = "EQUATSS2.1_Loi_de_Newton_"
 #: The theorems that are cited besides the flow.
 CLASSIFICATION = "classification"
+CLASSIFICATION_OF_BALLS = "classification-of-balls"
+EXCLUDED, RESTS = f"{CLASSIFICATION_OF_BALLS}:excluded", f"{CLASSIFICATION_OF_BALLS}:rests"
+SAYS_EXCLUDED = "no collapse has particle {} in the middle"
+SAYS_RESTS = "a collapse with particle {} in the middle ends all relative motion"
 START, LINE_START = f"{SHARPER}:start", f"{LINE}:start"
 SANDWICH_START, STAIR = f"{SANDWICH}:start", f"{SANDWICH}:stair"
 BALLS_START, BALLS_STAIR = f"{THREE_BALLS}:start", f"{THREE_BALLS}:stair"
@@ -296,6 +304,9 @@ class Telling:
         """Only finitely many collisions are possible, from this state on."""
         self.row("range.low", "the coefficient of restitution is positive", 0 < r)
         self.row("range.high", "and below 1: no collision adds energy", r < 1)
+        if self.scene.bodies is not None:
+            self._limit_of_balls(criterion)
+            return
         if criterion == INELASTIC:
             self._finite("restitution", criterion, inelastic(r) < 0)
             return
@@ -312,6 +323,49 @@ class Telling:
 
     def _finite(self, name: str, criterion: str, claim: Claim, glue: str = "scene-finite") -> None:
         self.row(f"finite.{name}", SAYS[criterion], claim, "scene", glue)
+
+    def _limit_of_balls(self, criterion: str) -> None:
+        """The same of balls that are not equal."""
+        if criterion == INELASTIC:
+            self._middles(EXCLUDED, "s", excluded, SAYS_EXCLUDED)
+            return
+        if self.state is None:
+            self.begin(FIRST_FRAMES[0])
+        state, glue = self._next(), "scene-finite-balls"
+        masses = [self.mass(i) for i in range(3)]
+        contacts = [self.contact(i, j) for i, j in PAIRS]
+        now = spread(state, self.frame, masses, contacts, self.sizes())
+        found = {"R2": now.R2, "virial": now.A, "L2": now.L2}
+        R2, A, L2 = (self.keep(name, term) for name, term in found.items())
+        if criterion == MOMENTUM:
+            self._middles(RESTS, "t", rests, SAYS_RESTS)
+            self.row("finite.momentum", "L² is not 0", 0 < L2, "scene", glue)
+            return
+        for o, most in enumerate(map(as_term, now.touching)):
+            says = f"R² is at least what it can be at most where {o} touches both others"
+            self.row(f"finite.far.{o}", says, most <= R2, "scene", glue)
+            if criterion == TURNING:
+                claim = 0 < turning(Spread(R2, A, L2, now.touching), most)
+                says = "and L is so large that R² does not fall to that"
+                self.row(f"finite.turning.{o}", says, claim, "scene", glue)
+        if criterion == RECEDING:
+            self.row("finite.receding", "the particles recede as a whole", 0 <= A, "scene", glue)
+
+    def _middles(
+        self, context: str, letter: str, shown: Callable[[Middle], Fraction | None], says: str
+    ) -> None:
+        """A theorem applies to each ball in the middle."""
+        for middle in middles(self.scene):
+            o, (i, j), root = middle.ball, middle.others, shown(middle)
+            if root is None:
+                raise ValueError(f"the criterion does not hold of particle {o}")
+            at = {
+                "m": self.mass(o), "m_1": self.mass(i), "m_2": self.mass(j), "r_1": r, "r_2": r,
+                letter: as_term(root),
+            }  # fmt: skip
+            here = {n: as_term(x) for n, x in _of(context.partition(":")[2], at).items()}
+            claim = Applies(context, here)
+            self.row(f"finite.middle.{o}", says.format(o), claim, "scene", "scene-finite-balls")
 
     def collapse(self, found: Numbers) -> None:
         """A theorem applies; when, and at which angle, the particles collapse."""

@@ -17,7 +17,7 @@ from verify.spheres.scene.criteria import SAYS, SAYS_OF_UNEQUAL
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Fate
 from verify.spheres.scene.energy import energy_lost, normal_speeds
 from verify.spheres.scene.scene import Scene
-from verify.spheres.scene.statement import CLASSIFICATION
+from verify.spheres.scene.statement import CLASSIFICATION, CLASSIFICATION_OF_BALLS
 
 #: Bits of an angle in degrees, of which at most 60 digits are shown.
 ANGLE_BITS = 512
@@ -164,8 +164,10 @@ def reason(found: Fate) -> str:
 
 def theorems(found: Fate) -> list[str]:
     """The names of the theorems on which a verdict rests; none without a verdict."""
-    flow = FLOW if found.flow.scene.bodies is None else FLOW_OF_BALLS
-    last = {COLLAPSES: [found.name], FINITE: [CLASSIFICATION], DISPERSES: []}
+    are_equal = found.flow.scene.bodies is None
+    flow = FLOW if are_equal else FLOW_OF_BALLS
+    finite = CLASSIFICATION if are_equal else CLASSIFICATION_OF_BALLS
+    last = {COLLAPSES: [found.name], FINITE: [finite], DISPERSES: []}
     return [flow, *last[found.verdict]] if found.verdict in last else []
 
 

@@ -97,6 +97,7 @@ THEOREMS = (
     Theorem("three-balls", "three-balls", collapse.decide_three_balls),
     Theorem("flow", "flow", scene.decide_flow),
     Theorem("flow-of-balls", "flow-of-balls", partial(pages.decide, "flow_of_balls")),
+    Theorem("touching", "touching", partial(pages.decide, "touching")),
     Theorem("line", "line", scene.decide_line),
     Theorem("separatrix", "separatrix", separatrix.decide_separatrix),
     Theorem("separatrix-r-3-100", separatrix.POINT, separatrix.decide_stored),

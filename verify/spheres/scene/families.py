@@ -33,6 +33,7 @@ from verify.spheres.scene.scene_files import (
     OPTIONAL,
     R_AT_THE_TOP,
     RADII,
+    RESTITUTION,
     number_in,
     scene_from,
     toml_table,
@@ -85,7 +86,7 @@ class Family(Record):
         Raises:
             InputError: if a term cannot be used.
         """
-        odd = sorted(BODIES & self.table.keys())
+        odd = sorted({*BODIES, RESTITUTION} & self.table.keys())
         if odd:
             raise InputError(
                 f"{self.where}: {odd[0]}: maps are about equal particles; leave it out, or sample "
@@ -131,7 +132,7 @@ def read_family(where: str, content: bytes) -> Family:
     for name in given:
         _test_name(where, name)
     sides = {name: _side(where, name, text) for name, text in given.items()}
-    if isinstance(table["r"], str) and ".." in table["r"]:
+    if isinstance(table.get("r"), str) and ".." in table["r"]:
         sides["r"] = _side(where, "r", table["r"])
         table["r"] = "r"
     if len(sides) > MAX_PARAMETERS:
@@ -197,11 +198,22 @@ def _replaced(
                 for i, cell in enumerate(given)
             ]
         found[key] = given
-    return {"r": _value(f"{where}: r", table["r"], values), **found}
+    own = table.get(RESTITUTION)
+    if isinstance(own, dict):
+        found[RESTITUTION] = {
+            name: _value(f"{where}: {RESTITUTION} of {name}", cell, values)
+            for name, cell in own.items()
+        }
+    else:
+        key = RESTITUTION if RESTITUTION in table else "r"
+        found[key] = _value(f"{where}: {key}", table[key], values)
+    return found
 
 
 def _texts(value: Any) -> Any:
-    """Numbers as texts, in lists too."""
+    """Numbers as texts, in lists and tables too."""
+    if isinstance(value, dict):
+        return {name: _texts(cell) for name, cell in value.items()}
     return [*map(_texts, value)] if isinstance(value, list) else str(value)
 
 

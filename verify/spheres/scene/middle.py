@@ -44,7 +44,13 @@ def middles(scene: Scene) -> list[Middle]:
     """Each ball in the middle."""
     masses = (Fraction(1),) * 3 if scene.bodies is None else scene.bodies.masses
     return [
-        Middle(o, (i, j), masses[o], (masses[i], masses[j]), (scene.r, scene.r))
+        Middle(
+            o,
+            (i, j),
+            masses[o],
+            (masses[i], masses[j]),
+            (scene.restitution(o, i), scene.restitution(o, j)),
+        )
         for o, i, j in ((0, 1, 2), (1, 0, 2), (2, 0, 1))
     ]
 

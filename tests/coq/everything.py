@@ -282,6 +282,7 @@ def printed(names: list[str]) -> str:
         "Import ListNotations.",
         "Open Scope positive_scope.",
         "Set Printing Width 100000000. Set Printing Depth 100000000. Unset Printing Records.",
+        "Set Printing Raw Literals.",  # else each numeral is computed
         *(f"Print Verify.{name}.{part}." for name in names for part in PARTS),
     ]
     return "\n".join([*lines, ""])

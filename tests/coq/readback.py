@@ -77,12 +77,27 @@ def definition(text: str, name: str) -> Any:
     return parsed(iter([*tokens(body[1])]))[0]
 
 
+def in_digits(printed: str) -> str:
+    """The same with digits for numbers, which Coq prints by their constructors: that is faster.
+
+    A positive number is ``xH`` with its further binary digits, a natural one ``O`` or ``S (S O)``.
+    """
+
+    def successors(match: re.Match[str]) -> str:
+        more = match[1].count("(")
+        return f"{1 + more}{match[2][more:]}"
+
+    text = re.sub(r"\bS((?: \(S)*) O\b(\)*)", successors, printed)
+    text = re.sub(r"\bxH((?:~[01])*)", lambda m: str(int("1" + m[1].replace("~", ""), 2)), text)
+    return re.sub(r"\b(O|Z0)\b", "0", text.replace("Z.pos ", "").replace("Z.neg ", "-"))
+
+
 def as_exported(printed: str, module: str) -> str:
     """What Coq has printed of the definitions in a module, as an exported file has them."""
     parts = re.findall(
         rf"^{module}\.(the_\w+) = (.*?)\n {{5}}: (.*?)$", printed, re.DOTALL | re.MULTILINE
     )
-    lines = [f"Definition {name} : {kind} :=\n{value}.\n" for name, value, kind in parts]
+    lines = [f"Definition {name} : {kind} :=\n{in_digits(value)}.\n" for name, value, kind in parts]
     # A word of the language keeps the module before it: there it would mean something else.
     return re.sub(rf"\b{module}\.(?=the_(nodes|contexts|rows|citations)\b)", "", "".join(lines))
 

@@ -22,6 +22,7 @@ from tests.coq.everything import (
     printed,
 )
 from tests.coq.lies import is_right
+from tests.coq.readback import in_digits
 from tests.coq.record import AnotherError, found, said_by_coq
 from tests.coq.sources import NOTATIONS, complaints, sentences, unexpected
 from tests.coq.tampering import (
@@ -113,6 +114,15 @@ PLACES = [DEFINITIONS, SPELLED, PRINTED, OTHERS, PINNED, UNPROVED, VERDICTS]
 def test_what_is_tampered_with_is_there_once(way: Definition | tuple[Definition, str]) -> None:
     file, old, new = way if isinstance(way, Definition) else way[0]
     assert (SOURCES / f"{file}.v").read_text().count(old) == 1 or (old, new) == ("", "")
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 10, 255, 256, 2**61 - 1, 3**200])
+def test_numbers_are_read_by_the_constructors_by_which_coq_prints_them(n: int) -> None:
+    digits = "xH" + "".join(f"~{digit}" for digit in f"{n:b}"[1:])
+    small = n % 9
+    natural = f"{'S (' * (small - 1)}{'S ' * (small > 0)}O{')' * (small - 1)}"
+    said = f"Cuts [{natural}; O] (f {digits} (Z.neg {digits})) (Z.pos {digits}) Z0 ({natural}, S O)"
+    assert in_digits(said) == f"Cuts [{small}; 0] (f {n} (-{n})) ({n}) 0 ({small}, 1)"
 
 
 def test_what_all_theorems_rest_on_is_committed() -> None:

@@ -45,6 +45,7 @@ from tests.facts import (
     separatrix_at,
     sides,
     sine,
+    so,
     strip_border,
     told,
     true,
@@ -59,6 +60,7 @@ from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.outcome import EXIT_CODES
 from verify.spheres.limit_map import Parameters
 from verify.spheres.scene.criteria import SAYS_OF_UNEQUAL
+from verify.spheres.scene.middle import Middle, excluded, rests
 from verify.spheres.scene.sampling import CELLS
 from verify.spheres.scene.scene_files import MAX_DIMENSION
 from verify.views.classification import THEOREMS
@@ -82,9 +84,9 @@ said("", "φ₂ = d/η_c²", by=file("verify/views/map.py"))
 
 said(
     "README.md",
-    "{} of its claims are refuted at {}, or at another point that is named. {} of the {}, with {} "
-    "causes, break the argument; {} are false but harmless; {} are slips of wording. The {} "
-    "causes:",
+    "{} of its claims are refuted at {}, or at another point that is named. {} of the {} break the "
+    "argument, by {} mistakes; {} are false but harmless; {} are slips of wording. The {} "
+    "mistakes:",
     *(
         F["refuted"],
         AT,
@@ -97,7 +99,7 @@ said(
     F["breaking_causes"],
 )
 said("README.md", "more than δ₂²", by=row("theorem1-r-3-100", "zeta-term-2"))
-said("README.md", "*{} true, but badly derived*", F["otherwise"])
+said("README.md", "*{} true, but the reason given does not suffice*", F["otherwise"])
 said("README.md", "*{} remarks*", F["remarks"])
 said(
     "README.md",
@@ -125,16 +127,6 @@ said(
     *CODES,
 )
 SIGN, SET = sentences("printed-sign"), sentences("printed-set")
-said(
-    "README.md",
-    "{} sentences for the sign, of which Coq has proved {}",
-    *SIGN,
-)
-said(
-    "README.md",
-    "and {} for the set, of which it has proved {}.",
-    *SET,
-)
 
 # --- docs/contributing ----------------------------------------------------------------------------
 
@@ -494,7 +486,7 @@ said(
 said(
     P,
     "below κ η_c²",
-    by=coded("κη_c²", "verify/paper/sharper.toml", 'start-d-small = "d_start <= k*y_start^2"'),
+    by=coded("κη_c²", "verify/paper/sharper.toml", "start-d-small: d_start <= k*y_start^2"),
 )
 said(
     P,
@@ -584,6 +576,24 @@ said(
     "bb' cos²θ > 4r:",
     by=coded("bb'cos²θ>4r", "certificates/line/report.md", "r <= bb'Q(1 - Q) and 2Q < 1"),
 )
+EQUAL = {
+    r: Middle(0, (1, 2), Fraction(1), (Fraction(1),) * 2, (Fraction(r),) * 2)
+    for r in ("0.0717", "0.0718", "0.0557", "0.0558")
+}
+so(
+    P,
+    "if bb' < 4r. The lightest particle decides; for equal masses this says that r > 7 - 4√3",
+    excluded(EQUAL["0.0717"]) is None,
+    excluded(EQUAL["0.0718"]) is not None,
+)
+so(
+    P,
+    "bb' < (r^(1/3) + r^(2/3))² for each particle in the middle",
+    rests(EQUAL["0.0557"]) is None,
+    rests(EQUAL["0.0558"]) is not None,
+)
+so(P, "L is not 0, and", "0 < L2" in file("verify/spheres/scene/statement.py"))
+so(P, "angular momentum is 0: for", "angular momentum is 0" in UNEQUAL)
 SMALL = "certificates/scenes/small-bead.toml"
 said(
     P,
@@ -649,12 +659,12 @@ said(P, "W and √V are", by=coded("√V", "verify/paper/glossary.py", "V₀"))
 # --- docs/tutorials -------------------------------------------------------------------------------
 
 P = "docs/tutorials/referee.md"
-said(P, "*{} true, but badly derived*", F["otherwise"])
+said(P, "*{} true, but the reason given does not suffice*", F["otherwise"])
 said(P, "*{} remarks*", F["remarks"])
 said(P, "*Given {} assumptions*", len(KINDS))
 said(
     P,
-    "the {} refuted rows, the {} that are true but badly derived, and the {} remarks together, {} "
+    "the {} refuted rows, the {} that are true for another reason, and the {} remarks together, {} "
     "printed rows",
     F["refuted"],
     F["otherwise"],
@@ -754,7 +764,7 @@ said(
 said(
     "docs/explanation/sharper.md",
     "p + Y < 1 |",
-    by=coded("p+Y<1", "verify/paper/sharper.toml", 'decay-positive = "0 < 1 - ratio"'),
+    by=coded("p+Y<1", "verify/paper/sharper.toml", "decay-positive: 0 < 1 - ratio"),
 )
 said("docs/index.md", "at r = {},", R)
 said(

@@ -29,6 +29,7 @@ COMMANDS = {
     "prove": "decide a statement of your own, with a certificate",
     "explain": "print a row with the facts and the identity that prove it",
     "check": "check a certificate, and that its statement is the right one",
+    "example": "list the examples that come with the program, or copy one",
     "export": "write a certificate for Coq, or its statement as a page",
     "bench": "measure speed against error",
     "stress": "run the numerically hard cases",

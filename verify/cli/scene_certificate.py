@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from verify.cli.files import UncheckableError, write_certificate
 from verify.language.errors import OwnError, UnreadError
 from verify.paper.commands.scene import precisions, scene_outcome
-from verify.spheres.scene.decide import DISPERSES, FINITE, UNDECIDED, Fate
+from verify.spheres.scene.decide import DISPERSES, UNDECIDED, Fate
 
 #: The checker follows so many collisions; where it reads no further, something else is wrong.
 SURELY_FEW = 50
@@ -25,8 +25,6 @@ def write_scene(
     """
     if found.verdict == UNDECIDED:
         return "the scene is undecided"
-    if found.flow.scene.bodies is not None and found.verdict == FINITE:
-        return "the certified criteria for finitely many collisions are about equal particles"
     if found.line is not None and found.verdict == DISPERSES:
         return _too_many(found)
     complaint = OwnError("no precision suffices to evaluate the constants of the scene")

@@ -32,7 +32,6 @@ def simulate(scene: Scene, most: int, digits: int = DIGITS) -> list[Impact]:
         number = mpmath.mpf
         x = [[number(a.numerator) / a.denominator for a in row] for row in scene.positions]
         v = [[number(a.numerator) / a.denominator for a in row] for row in scene.velocities]
-        r = number(scene.r.numerator) / scene.r.denominator
         masses, radii = (
             [number(a.numerator) / a.denominator for a in row] for row in _bodies(scene)
         )
@@ -47,6 +46,8 @@ def simulate(scene: Scene, most: int, digits: int = DIGITS) -> list[Impact]:
             t, (i, j) = min(meetings)
             x = [[a + t * b for a, b in zip(p, w, strict=True)] for p, w in zip(x, v, strict=True)]
             e, w = _minus(x[j], x[i]), _minus(v[j], v[i])
+            given = scene.r if scene.restitutions is None else scene.restitutions[i + j - 1]
+            r = number(given.numerator) / given.denominator
             push = (1 + r) / (masses[i] + masses[j]) * _dot(e, w) / _dot(e, e)
             v[i] = [a + push * masses[j] * b for a, b in zip(v[i], e, strict=True)]
             v[j] = [a - push * masses[i] * b for a, b in zip(v[j], e, strict=True)]

@@ -16,8 +16,6 @@ FORMAT = "verify-scene/2"
 UNDECIDED, UNDECIDED_CODE = "undecided", 3
 #: The verdicts that say how many collisions there are.
 COLLAPSES, DISPERSES, FINITE = "collapses", "disperses", "finite"
-#: What the criteria for spheres of different masses or radii rest on.
-LAW = "the law of collision for these masses and radii"
 
 #: What the spheres tell of a scene, and of a collision: records of theirs, whose entries are read.
 Told = Any
@@ -43,8 +41,6 @@ def given_line(told: Told, judge: str) -> str:
     if told.verdict == UNDECIDED:
         return ""
     named = [f"certificates/{name}" for name in told.theorems]
-    if told.scene.bodies is not None and told.verdict == FINITE:
-        named.insert(0, LAW)
     return f"given {' and '.join(named)}; judged by {judge}"
 
 

@@ -20,7 +20,7 @@ from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import ConstantStep, ObligationStep, Premise, Proof, Step
 from verify.prover.rules import Applying, Interval, Sum
 from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, THREE_BALLS
-from verify.spheres.flow.contexts import FLOW, FLOW_OF_BALLS
+from verify.spheres.flow.contexts import FLOW, FLOW_OF_BALLS, TOUCHING
 from verify.spheres.flow.follow import COLLIDE, DRIFT
 from verify.spheres.scene.assumptions import ASSUMPTIONS
 from verify.spheres.scene.decide import (
@@ -34,17 +34,19 @@ from verify.spheres.scene.decide import (
     Fate,
     decide_scene,
 )
-from verify.spheres.scene.scene import Bodies, Scene
+from verify.spheres.scene.scene import PAIRS, Bodies, Scene, pair_name
 from verify.spheres.scene.scene_files import is_in_range
 from verify.spheres.scene.statement import (
     CLASSIFICATION,
+    CLASSIFICATION_OF_BALLS,
     MASS,
+    RESTITUTION,
     SIZES,
     TIME,
     Numbers,
     Telling,
 )
-from verify.spheres.scene.verdict import scene_lines, theorems
+from verify.spheres.scene.verdict import is_settled_at_start, scene_lines, theorems
 
 #: Digits of the times in a certificate.
 DIGITS = 16
@@ -59,12 +61,14 @@ MANY, FEW_BITS = 500, 80
 #: The pages of the theorems that a scene may cite.
 PAGES = {
     CLASSIFICATION: "classification",
+    CLASSIFICATION_OF_BALLS: "classification_of_balls",
     FLOW: "flow",
     FLOW_OF_BALLS: "flow_of_balls",
     LINE: "line",
     SANDWICH: "sandwich_below",
     SHARPER: "sharper",
     THREE_BALLS: "three_balls",
+    TOUCHING: "touching",
 }
 
 
@@ -95,18 +99,13 @@ def tell(found: Fate) -> Telling:
         telling.begin(moves[0].before.frame)
     for move in moves:
         if move.kind == COLLIDE:
-            telling.collide()
+            telling.collide(move.weights)
         elif move.kind == DRIFT:
             telling.drift(move.time)
         else:
             telling.recentre()
     _tell_end(telling, found)
     return telling
-
-
-def is_settled_at_start(found: Fate) -> bool:
-    """Whether no collision has to be followed for the verdict."""
-    return found.criterion is not None and found.criterion.at_start
 
 
 def _tell_end(telling: Telling, found: Fate) -> None:
@@ -209,8 +208,9 @@ def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:
     if kind == "line":
         return Sum((), given)
     if kind == "range":
-        restitution = telling.parameters["r"].value
-        return Sum(("goal", str(restitution if name == "low" else 1 - restitution)), given)
+        side, _, pair = name.partition(".")
+        restitution = telling.parameters[f"{RESTITUTION}.{pair}" if pair else RESTITUTION].value
+        return Sum(("goal", str(restitution if side == "low" else 1 - restitution)), given)
     return Interval(bits)
 
 
@@ -254,7 +254,9 @@ def read_back(parameters: Mapping[str, Term]) -> Scene | None:
         letter: [[f"{letter}.{i}.{k}" for k in range(1, count + 1)] for i in range(3)]
         for letter in ("x", "v")
     }
-    names = {"r", *(name for table in rows.values() for row in table for name in row)}
+    pairs = [f"{RESTITUTION}.{pair_name(i, j)}" for i, j in PAIRS]
+    restitutions = [RESTITUTION] if RESTITUTION in parameters else pairs
+    names = {*restitutions, *(name for table in rows.values() for row in table for name in row)}
     names |= {name for row in sizes for name in row}
     numbers = all(term.op == "rational" for term in parameters.values())
     if count < 1 or {*parameters} != names or not numbers:
@@ -268,7 +270,13 @@ def read_back(parameters: Mapping[str, Term]) -> Scene | None:
     )
     if bodies is not None and min(*bodies.masses, *bodies.radii) <= 0:
         return None
-    scene = Scene(parameters["r"].value, positions, velocities, bodies=bodies)
+    values = [parameters[name].value for name in restitutions]
+    several = (values[0], values[1], values[2]) if len({*values}) > 1 else None
+    if several is None and restitutions is pairs:
+        return None
+    if several is not None and bodies is None:
+        return None
+    scene = Scene(max(values), positions, velocities, bodies=bodies, restitutions=several)
     return scene if is_in_range(scene) else None
 
 

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 #: The theorems, and their contexts.
 FLOW, FLOW_OF_BALLS = "flow", "flow-of-balls"
+#: A collision while another pair is in contact: its theorem, and the context there.
+TOUCHING = "touching"
 COLLISION, RECENTRE, DRIFT = "collision", "recentre", "drift"
 PAIRS, UNIT = "pairs", "unit"
 #: Those of pairs that do not collide any more.
@@ -38,4 +40,7 @@ LETTERS = {
     "s": ("s", "s"),
     "T": ("T", "T"),
     "time": ("t", "t"),
+    "R2": ("R²", "R^2"),
+    "virial": ("A", "A"),
+    "L2": ("L²", "L^2"),
 }

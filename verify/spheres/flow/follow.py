@@ -27,6 +27,7 @@ from verify.spheres.flow.law import (
     recentred,
 )
 from verify.spheres.scene.scene import (
+    AROUND_FIRST,
     FIRST_FRAMES,
     PAIRS,
     Coordinates,
@@ -69,14 +70,30 @@ class Moment(Record):
     time: Number
 
 
+class Weights(Record):
+    """Why the law of pairs says that o and c collide, although another pair is in contact.
+
+    The rate x·w of the pair o, s is at least -s times its |x|² - K over y² then, that of s and c at
+    least -o times its |x|² - K, less angle; that is 0 unless o, c and s make a right angle at c.
+    """
+
+    s: Fraction
+    o: Fraction
+    angle: Fraction
+
+
 class Move(Record):
-    """From one moment to the next: a collision (with its flight), a new centre, or a drift."""
+    """From one moment to the next: a collision (with its flight), a new centre, or a drift.
+
+    A collision has weights if another pair is in contact, or may be.
+    """
 
     kind: str
     before: Moment
     after: Moment
     way: Flight | None = None
     time: Fraction = Fraction(0)
+    weights: Weights | None = None
 
 
 class Flow:
@@ -142,7 +159,8 @@ class Flow:
         """Moments whose o, c may be the next pair, with the moves that lead there."""
         now = self.now
         if now is None:
-            for frame in FIRST_FRAMES:
+            more = () if self.scene.bodies is None else (AROUND_FIRST,)
+            for frame in (*FIRST_FRAMES, *more):
                 yield [], Moment(frame, self.start.state(frame, self.keep), ZERO)
             return
         yield [], now
@@ -165,12 +183,16 @@ class Flow:
             ):
                 return None
             moment, way = moves[-1].after, found
+        weights = None
         if not is_next(moment.state, way, sizes):
-            return None
+            weights = None if self.scene.bodies is None else touching(moment.state, way, sizes)
+            if weights is None:
+                return None
         o, s, c = moment.frame
-        state = collided(self.r, moment.state, way, self.keep, sizes)
+        r = balls.exact(self.scene.restitution(moment.frame[0], moment.frame[2]))
+        state = collided(r, moment.state, way, self.keep, sizes)
         after = Moment((o, c, s), state, self.keep("time", moment.time + way.y * way.T))
-        return [*moves, Move(COLLIDE, moment, after, way)]
+        return [*moves, Move(COLLIDE, moment, after, way, weights=weights)]
 
     def _drift(self, moment: Moment, time: Fraction) -> Move:
         exact = balls.exact(time)
@@ -250,6 +272,42 @@ def stays_apart(pair: Pair, time: Number) -> bool:
     return bool(g >= 0) and bool(g + step >= 0) and bool(g + time * (2 * p + m * time) > 0)
 
 
+def touching(state: State, way: Flight, sizes: Sizes) -> Weights | None:
+    """Why o and c are the only pair that approaches in contact then, or the order does not matter.
+
+    None unless balls or exact numbers show it.
+    """
+    time, spectator, other = way.y * way.T, inner(state)[1], outer(state, sizes)
+    if not (_never_overlaps(spectator, time) and _never_overlaps(other, time)):
+        return None
+    own = _weight(spectator.p + spectator.m * time, parted(state, way))
+    rate = other.p + other.m * time
+    outermost = _weight(rate, other.g + time * (2 * other.p + other.m * time))
+    if own is None:
+        return None
+    if outermost is not None:
+        return Weights(own, outermost, Fraction(0))
+    corner = sizes.c + state.C - time * (state.a + state.b + time * state.w)
+    if not (balls.is_rational(corner) and corner == 0):
+        return None
+    return Weights(own, Fraction(0), balls.as_fraction(balls.decimal(-rate, 0, above=True)))
+
+
+def _never_overlaps(pair: Pair, time: Number) -> bool:
+    """True only if the pair is apart or in contact up to the time."""
+    g, p, m = pair
+    return bool(g >= 0) and bool(g + p * time >= 0) and bool(g + time * (2 * p + m * time) >= 0)
+
+
+def _weight(rate: Number, gap: Number) -> Fraction | None:
+    """A number z >= 0 such that the rate is at least -z times the gap; or None."""
+    if rate >= 0:
+        return Fraction(0)
+    if gap > 0:
+        return balls.as_fraction(balls.decimal(balls.as_ball(-rate / gap), 0, above=True))
+    return None
+
+
 def passing(state: State, way: Flight, sizes: Sizes) -> Fraction | None:
     """The time at which another pair is nearest, or just after, if it passes before o, c meet."""
     time = way.y * way.T
@@ -272,7 +330,7 @@ def is_free(drift: Move, sizes: Sizes) -> bool:
 
 def _what_is_unclear(meets: list[tuple[float, str]], unclear: list[str]) -> UnclearError:
     first = min(meets, default=(0.0, ""))[0]
-    names = [name for time, name in meets if time <= first * (1 + SAME)]
+    names = [*dict.fromkeys(name for time, name in meets if time <= first * (1 + SAME))]
     if len(names) > 1:
         words = f"tie: {' and '.join(names)} meet at the same time, or too nearly so"
         return UnclearError(words, NEAR_TIE)

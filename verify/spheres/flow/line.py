@@ -58,7 +58,9 @@ def follow_line(flow: Flow, most: int) -> LineRun | None:
     if not state.lam > 0:
         return None
     sizes = flow.sizes((o, s, c))
-    shares = [(1 + flow.r) / of.ratio for of in (sizes, flow.sizes((o, c, s)))]
+    restitutions = [balls.exact(flow.scene.restitution(o, i)) for i in (c, s)]
+    both = zip(restitutions, (sizes, flow.sizes((o, c, s))), strict=True)
+    shares = [(1 + r) / of.ratio for r, of in both]
     reach = balls.any_root(sizes.c + state.eps * state.v**2)
     near = 1 if sizes is EQUAL else balls.any_root(sizes.s)
     q, before, count = state.rho / state.lam * reach / near, None, 1
@@ -69,7 +71,7 @@ def follow_line(flow: Flow, most: int) -> LineRun | None:
             return LineRun(count, ends=True)
         if not rest > 0:
             return None
-        new = balls.shortened(flow.r / rest, flow.bits)
+        new = balls.shortened(restitutions[count % 2] / rest, flow.bits)
         if balls.is_same(new, before):
             return LineRun(count, ends=False, repeats=True)
         q, before = new, q

@@ -13,6 +13,15 @@ GLUE = {
         "apply the flow, the collisions are those of the rows collision.n, at the times t_n, and "
         "there are no others before the last one."
     ),
+    "scene-restitutions": (
+        "1'. Each pair has its coefficient of restitution: r.01 is that of the particles 0 and 1, "
+        "and so on. The r of a row collision.n is that of its pair, with which the law of "
+        "collision holds for it."
+    ),
+    "scene-touching": (
+        "1''. A row collision.n that applies touching is about a collision while others may be in "
+        "contact; as glue-touching says there, it is the next one, or may count as the next."
+    ),
     "scene-disperses": (
         "2. By the rows end.ij, which apply the flow to the pairs of the last state, each pair of "
         "particles parts or passes by for ever: there is no further collision."
@@ -31,6 +40,14 @@ GLUE = {
         "is kept, by glue-impulse, and at most R e, which tends to 0 as positions converge: so "
         "there is no collapse, and as L is not 0 only finitely many collisions are possible, by "
         "glue-endless, unless a triple or a grazing contact comes before."
+    ),
+    "scene-finite-balls": (
+        "2. The particles are balls of the classification of balls, with the r of their pairs, and "
+        "R², A and L are as there. By its glue-scenes the rows finite show that from the moment "
+        "that they are about, or from the start, there is no collapse any more, and that only "
+        "finitely many collisions are possible, unless a triple or a grazing contact comes before: "
+        "(i) where the rows finite.middle apply excluded, (ii) where they apply rests, and L² > 0, "
+        "(iii) and (iv) where they are about R², A and L² of this moment."
     ),
     "scene-collapses": (
         "2. After the last collision s and o are in contact, ω_s = x_s and ω_c = x_c/|x_c|; by the "

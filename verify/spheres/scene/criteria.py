@@ -9,26 +9,27 @@ centre of mass; they are polynomials in the inner products of a state.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Sequence
 from functools import reduce
-from itertools import permutations
 from operator import add
 
 from verify.language.record import Record
 from verify.prover import balls
 from verify.spheres.flow.follow import Flow
 from verify.spheres.flow.law import EQUAL, Number, Sizes, State, inner, outer
-from verify.spheres.scene.scene import FIRST_FRAMES, Bodies, Frame
+from verify.spheres.scene.middle import excluded, middles, rests
+from verify.spheres.scene.scene import FIRST_FRAMES, PAIRS, Frame
 
 INELASTIC, RECEDING, TURNING, MOMENTUM = "restitution", "receding", "turning", "momentum"
 #: What each criterion says, in words; and for spheres of which some are not equal.
 SAYS_OF_UNEQUAL = {
-    INELASTIC: "r > 7 - 4√3: three spheres of one mass with this r never collapse",
+    INELASTIC: "b < √r + √r' for each sphere in the middle, b² being the product of its shares: "
+    "three such spheres never collapse",
     RECEDING: "A >= 0 and R² = Σ m|x|² >= B: they recede as a whole; a collapse would need R² <= B",
     TURNING: "A²R² < (R² - B)L² and R² = Σ m|x|² >= B: with this angular momentum R² never falls "
     "to B, the most that it is in a collapse",
-    MOMENTUM: "r > 9 - 4√5 and L ≠ 0: in a collapse of three spheres of one mass with this r the "
-    "angular momentum is 0",
+    MOMENTUM: "b² < r + r' + t + t² with t³ = rr' for each sphere in the middle, b² being the "
+    "product of its shares, and L ≠ 0: in a collapse of such spheres the angular momentum is 0",
 }
 SAYS = {
     INELASTIC: "r > 7 - 4√3: three equal spheres with this r never collapse",
@@ -79,37 +80,40 @@ def _turned(state: State, sizes: Sizes, shares: tuple[Number, Number, Number]) -
 class Spread(Record):
     """R² = Σ m|x|², A = Σ m x·v and L² of spheres with masses and radii.
 
-    ``touching`` is the most that R² can be where one sphere touches both others; it is 2 where all
-    masses and diameters are 1.
+    ``touching`` has, for each sphere, the most that R² can be where it touches both others; that
+    is 2 where all masses and diameters are 1.
     """
 
     R2: Number
     A: Number
     L2: Number
-    touching: Number
+    touching: tuple[Number, Number, Number]
 
 
-def spread(state: State, frame: Frame, bodies: Bodies, number: Callable[..., Number]) -> Spread:
-    """These four of a state: sums over pairs with m_i m_j/M, M being the sum of all masses."""
-    (o, s, c), sizes = frame, bodies.sizes(frame, number)
-    total = sum(bodies.masses)
-    weights = {
-        (i, j): bodies.masses[i] * bodies.masses[j] / total for i, j in permutations(frame, 2)
-    }
-    oc, os, sc = (number(weights[pair]) for pair in ((o, c), (o, s), (s, c)))
+def spread(
+    state: State, frame: Frame, masses: Sequence[Number], contacts: Sequence[Number], sizes: Sizes
+) -> Spread:
+    """These of a state: sums over pairs with m_i m_j/M, M being the sum of all masses.
+
+    The contact distances are those of `PAIRS`; the sizes are those in the frame.
+    """
+    o, s, c = frame
+    total = masses[0] + masses[1] + masses[2]
+    weights = [masses[i] * masses[j] / total for i, j in PAIRS]
+    oc, os, sc = weights[o + c - 1], weights[o + s - 1], weights[s + c - 1]
     own, spectator = inner(state)
     found = ((oc, own, sizes.c), (os, spectator, sizes.s), (sc, outer(state, sizes), sizes.outer))
     squares = [weight * (pair.g + square) for weight, pair, square in found]
     rates = [weight * pair.p for weight, pair, _ in found]
-    most = max(
-        weights[i, j] * bodies.square(i, j)
-        + weights[i, k] * bodies.square(i, k)
-        + weights[j, k] * (2 * bodies.radii[i] + bodies.radii[j] + bodies.radii[k]) ** 2
-        for i, j, k in ((0, 1, 2), (1, 0, 2), (2, 0, 1))
-    )
+    most = []
+    for i, j, k in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
+        one, two, far = i + j - 1, i + k - 1, j + k - 1
+        near, next_to = contacts[one], contacts[two]
+        inside = weights[one] * near**2 + weights[two] * next_to**2
+        most.append(inside + weights[far] * (near + next_to) ** 2)
     turned = _turned(state, sizes, (os + sc, oc + sc, -sc))
     R2, A = squares[0] + squares[1] + squares[2], rates[0] + rates[1] + rates[2]
-    return Spread(R2, A, turned, number(most))
+    return Spread(R2, A, turned, (most[0], most[1], most[2]))
 
 
 def _of(table: dict[str, Number], i: str, j: str) -> Number:
@@ -126,9 +130,11 @@ def comes_to_rest(r: Number) -> Number:
     return r**2 - 18 * r + 1
 
 
-def turning(now: Whole | Spread) -> Number:
-    """What is positive if the angular momentum keeps R² above 2, where R² >= 2 now."""
-    most = now.touching if isinstance(now, Spread) else 2
+def turning(now: Whole | Spread, most: Number = 2) -> Number:
+    """What is positive if the angular momentum keeps R² above its value at a collapse.
+
+    R² is not below that value now.
+    """
     return (now.R2 - most) * now.L2 - now.A**2 * now.R2
 
 
@@ -144,12 +150,14 @@ class Criterion(Record):
 
 def finitely_many(flow: Flow) -> Criterion | None:
     """A criterion that holds, if any."""
-    if flow.scene.has_one_mass and inelastic(flow.r) < 0:
+    scene, are_equal = flow.scene, flow.scene.bodies is None
+    if inelastic(flow.r) < 0 if are_equal else all(map(excluded, middles(scene))):
         return Criterion(INELASTIC, at_start=True)
     first = _all_three(flow, FIRST_FRAMES[0], flow.start.state(FIRST_FRAMES[0], flow.keep))
     name = _of_whole(first)
-    if name is None and flow.scene.has_one_mass and comes_to_rest(flow.r) < 0 and first.L2 > 0:
-        name = MOMENTUM
+    if name is None and first.L2 > 0:
+        rest = comes_to_rest(flow.r) < 0 if are_equal else all(map(rests, middles(scene)))
+        name = MOMENTUM if rest else None
     if name is not None:
         return Criterion(name, at_start=True)
     now = flow.now
@@ -159,13 +167,17 @@ def finitely_many(flow: Flow) -> Criterion | None:
 
 def _all_three(flow: Flow, frame: Frame, state: State) -> Whole | Spread:
     bodies = flow.scene.bodies
-    return whole(state) if bodies is None else spread(state, frame, bodies, balls.exact)
+    if bodies is None:
+        return whole(state)
+    masses = [balls.exact(mass) for mass in bodies.masses]
+    contacts = [balls.exact(bodies.radii[i] + bodies.radii[j]) for i, j in PAIRS]
+    return spread(state, frame, masses, contacts, flow.sizes(frame))
 
 
 def _of_whole(now: Whole | Spread) -> str | None:
-    most = now.touching if isinstance(now, Spread) else 2
-    if not now.R2 >= most:
+    bounds = now.touching if isinstance(now, Spread) else (2,)
+    if not all(now.R2 >= most for most in bounds):
         return None
     if now.A >= 0:
         return RECEDING
-    return TURNING if turning(now) > 0 else None
+    return TURNING if all(turning(now, most) > 0 for most in bounds) else None

@@ -20,8 +20,8 @@ from verify.spheres.flow.line import LineRun, follow_line, is_on_a_line
 from verify.spheres.flow.sandwich import find_sandwich
 from verify.spheres.flow.three_balls import Bodies, find_three_balls, scaled
 from verify.spheres.scene.criteria import Criterion, finitely_many
+from verify.spheres.scene.scene import HALF, Frame, Scene
 from verify.spheres.scene.scene import Bodies as Given
-from verify.spheres.scene.scene import Frame, Scene
 
 COLLAPSES, DISPERSES, FINITE, UNDECIDED = "collapses", "disperses", "finite", "undecided"
 #: Names of reasons; a criterion and what balls leave open have theirs.
@@ -76,6 +76,16 @@ class Fate(Record):
 
 
 def decide_scene(scene: Scene, budget: Budget = Budget()) -> Fate:  # noqa: B008
+    """The verdict; where equal spheres touch at once, as the law for any spheres says it."""
+    found = _decide(scene, budget)
+    if scene.bodies is not None or found.why != TRIPLE:
+        return found
+    equal = Given((scene.mass,) * 3, (HALF,) * 3)
+    more = _decide(scene._replace(bodies=equal), budget)
+    return more if more.collisions > found.collisions else found
+
+
+def _decide(scene: Scene, budget: Budget) -> Fate:
     """The verdict; the precision is doubled until balls decide every step, or it is spent."""
     bits = max(budget.bits, 64 + 4 * (budget.digits or 0))
     while True:
@@ -157,29 +167,38 @@ def told_event(event: Event) -> str:
 
 def find_end(flow: Flow) -> Collapse | None:
     """Why the spheres collapse, as the moment after the last collision shows it."""
-    now, r = flow.now, flow.scene.r
+    try:
+        return _end_after(flow)
+    except OverflowError:  # what is looked for with floats is beyond their range
+        return None
+
+
+def _end_after(flow: Flow) -> Collapse | None:
+    now, scene = flow.now, flow.scene
     if now is None:
         return None
+    o, s, c = now.frame
+    r, is_one = scene.restitution(o, c), scene.restitution(o, c) == scene.restitution(o, s)
     if flow.is_on_a_line is None:
         flow.is_on_a_line = is_on_a_line(flow.scene)
-    if flow.is_on_a_line:
-        o, s, c = now.frame
+    if flow.is_on_a_line and is_one:  # the theorem on a line is about one r
         sizes, other = flow.sizes(now.frame), flow.sizes((o, c, s))
         return find_line_collapse(r, now.state, now.time, sizes, other)
-    if flow.scene.bodies is not None:  # the others are about diameters that are 1
-        bodies = bodies_of(flow.scene.r, flow.scene.bodies, now.frame)
+    if scene.bodies is not None:  # the others are about diameters that are 1
+        bodies = bodies_of(scene, scene.bodies, now.frame)
         start = scaled(start_of(now.state, flow.sizes(now.frame)), bodies.contacts)
         return find_three_balls(bodies, start, now.time)
     found = find_collapse(r, now.state, now.time)
     return find_sandwich(r, now.state, now.time) if found is None else found
 
 
-def bodies_of(r: Fraction, given: Given, frame: Frame) -> Bodies:
-    """Masses and distances of contact as the theorem on three balls names them."""
+def bodies_of(scene: Scene, given: Given, frame: Frame) -> Bodies:
+    """Masses, distances of contact and restitutions as the theorem on three balls names them."""
     o, s, c = frame
     mass, radius = given.masses, given.radii
     contacts = (radius[o] + radius[c], radius[o] + radius[s])
-    return Bodies(mass[o], (mass[c], mass[s]), contacts, radius[c] + radius[s], (r, r))
+    both = scene.restitution(o, c), scene.restitution(o, s)
+    return Bodies(mass[o], (mass[c], mass[s]), contacts, radius[c] + radius[s], both)
 
 
 def _at_last(known: Fate, found_at: int, digits: int | None) -> Fate:

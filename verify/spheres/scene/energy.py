@@ -39,7 +39,8 @@ def _share(found: Fate, move: Move) -> Number:
     """What the square of the normal speed is multiplied with for the energy that is lost."""
     masses, (o, _, c) = masses_of(found.flow.scene), move.before.frame
     reduced = masses[o] * masses[c] / (masses[o] + masses[c])
-    return (1 - found.flow.r**2) * balls.exact(reduced / 2)
+    r = found.flow.scene.restitution(o, c)
+    return balls.exact((1 - r**2) * reduced / 2)
 
 
 def energy_at_start(flow: Flow) -> Fraction:
@@ -68,7 +69,9 @@ def energy_lost(found: Fate) -> tuple[Fraction, Fraction]:
 def _is_bounded(found: Fate) -> bool:
     """Whether all collisions were followed, or a theorem bounds the speeds of the others."""
     if found.collapse is not None:
-        return found.flow.scene.has_one_mass and found.collapse.theorem in (LINE, SHARPER)
+        scene = found.flow.scene
+        is_one = scene.has_one_mass and scene.restitutions is None
+        return is_one and found.collapse.theorem in (LINE, SHARPER)
     return found.verdict == DISPERSES and found.line is None
 
 

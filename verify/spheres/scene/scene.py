@@ -17,6 +17,8 @@ PAIRS = ((0, 1), (0, 2), (1, 2))
 Frame = tuple[int, int, int]
 #: Frames in which the pairs 01, 02 and 12 are o, c.
 FIRST_FRAMES: tuple[Frame, ...] = ((0, 2, 1), (0, 1, 2), (1, 0, 2))
+#: A frame in which 0 touches or collides with both others, seen so that 01 is o, c and 02 is c, s.
+AROUND_FIRST: Frame = (1, 2, 0)
 Vector = Sequence[Number]
 HALF = Fraction(1, 2)
 
@@ -53,7 +55,10 @@ class Bodies(Record):
 
 
 class Scene(Record):
-    """Centres and velocities of the spheres 0, 1, 2, and the coefficient of restitution."""
+    """Centres and velocities of the spheres 0, 1, 2, and the coefficient of restitution.
+
+    Where that differs from pair to pair, ``r`` is the largest.
+    """
 
     r: Fraction
     positions: tuple[tuple[Fraction, ...], ...]
@@ -63,6 +68,12 @@ class Scene(Record):
     bodies: Bodies | None = None
     #: Of each particle where there are no bodies; only energies depend on it.
     mass: Fraction = Fraction(1)
+    #: That of each pair, in the order of `PAIRS`, where they differ: then there are bodies.
+    restitutions: tuple[Fraction, Fraction, Fraction] | None = None
+
+    def restitution(self, i: int, j: int) -> Fraction:
+        """The coefficient of restitution of a pair."""
+        return self.r if self.restitutions is None else self.restitutions[i + j - 1]
 
     @property
     def dimension(self) -> int:

@@ -7,6 +7,8 @@
 With a line ``diameter = "0.02"`` lengths are those of the file; without it they are diameters.
 Lines ``masses = ["1", "2", "1"]`` and ``radii = ["1", "1", "0.5"]`` give each particle its own;
 without them all masses are 1, and all diameters the same. Different radii are lengths of the file.
+In place of ``r``, a line ``restitution = {"01" = "0.9", "02" = "0.8", "12" = "0.9"}`` gives each
+pair its own coefficient; ``restitution = "0.9"`` is the same as ``r = "0.9"``.
 ``title``, ``time_unit`` and ``length_unit`` are texts that are told with the scene.
 A number is a text or a TOML number; either is read as it is written, and no float is ever seen.
 """
@@ -21,17 +23,27 @@ from typing import Any
 
 from verify.prover import balls
 from verify.prover.decimals import exact_number
-from verify.spheres.scene.scene import HALF, PAIRS, Bodies, Labels, Scene, coordinates
+from verify.spheres.scene.scene import (
+    HALF,
+    PAIRS,
+    Bodies,
+    Labels,
+    Scene,
+    coordinates,
+    pair_name,
+)
 from verify.wire.inputs import InputError, hundredth, rational, regular_file, shown
-from verify.wire.toml import TooLongError, toml_of
+from verify.wire.toml import TWICE, TooLongError, toml_of
 
 KEYS = ("r", "positions", "velocities")
 #: The diameter of the particles in the file's own unit of length; 1 without it.
 DIAMETER = "diameter"
+#: In place of r, for each pair by its name.
+RESTITUTION = "restitution"
 #: Numbers of which each particle has one.
 MASSES, RADII = "masses", "radii"
 #: Keys that a file may do without.
-OPTIONAL = (DIAMETER, MASSES, RADII)
+OPTIONAL = (DIAMETER, MASSES, RADII, RESTITUTION)
 #: Texts that are told with a scene.
 LABELS = Labels._fields
 MAX_LABEL = 80
@@ -82,9 +94,7 @@ def scene_from(where: str, table: dict[str, Any]) -> Scene:
     Raises:
         InputError: naming the file, the key, and what to write instead.
     """
-    r = number_in(f"{where}: r", table["r"])
-    if not 0 < r < 1:
-        raise InputError(f"{where}: r: {shown(str(r))} is not in ]0,1[; write for example 3/100")
+    both = _restitutions(where, table)
     unit = _diameter(where, table)
     masses, radii = _each(where, MASSES, table), _each(where, RADII, table)
     if radii and DIAMETER in table:
@@ -95,14 +105,17 @@ def scene_from(where: str, table: dict[str, Any]) -> Scene:
     labels = _labels(where, table, None if radii else unit)
     _same_dimension(where, {"position": positions, "velocity": velocities})
     mass = masses[0] if masses else Fraction(1)
-    scene = Scene(r, positions, velocities, labels, _bodies(masses, radii), mass)
+    several = None if len({*both}) == 1 else both
+    bodies = _bodies(masses, radii, are_equal=several is None)
+    scene = Scene(max(both), positions, velocities, labels, bodies, mass, several)
     _apart(where, scene, unit)
     return scene
 
 
 def is_in_range(scene: Scene) -> bool:
     """Whether r and the dimension are such that a file of this scene can be read."""
-    return 0 < scene.r < 1 and 1 <= scene.dimension <= MAX_DIMENSION
+    are_inelastic = all(0 < scene.restitution(i, j) < 1 for i, j in PAIRS)
+    return are_inelastic and 1 <= scene.dimension <= MAX_DIMENSION
 
 
 def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[str, Any]:
@@ -120,15 +133,21 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
     except ValueError as error:
         is_text = not isinstance(error, UnicodeDecodeError)
         why = " ".join(str(error).split()) if is_text else "it is not UTF-8"
+        twice = next((instead for part, instead in TWICE.items() if part in why), "")
         meant = (_meant_line(content) if is_text else None) or ", ".join(KEYS)
-        raise InputError(f"{where}: is no TOML file ({why}); write {meant}") from error
+        raise InputError(
+            f"{where}: is not valid TOML ({why}); {twice or f'write {meant}'}"
+        ) from error
     is_family = "parameters" in table or ".." in str(table.get("r"))
     if is_family and not more:
         raise InputError(
             f"{where}: is a family of scenes; add --sample N, or --at for one of them: --at "
             "NAME=A, or --grid NAME=A..B:N; verify map draws it"
         )
-    odd = sorted((table.keys() - {*more, *OPTIONAL, *LABELS}) ^ {*KEYS})
+    keys = {*KEYS[1:]} if RESTITUTION in table else {*KEYS}
+    if RESTITUTION in table and "r" in table:
+        raise InputError(f"{where}: {RESTITUTION}: the file has an r too; write one of them")
+    odd = sorted((table.keys() - {*more, *OPTIONAL, *LABELS}) ^ keys)
     if odd:
         below = table.get("parameters")
         if odd[0] == "r" and isinstance(below, dict) and "r" in below:
@@ -138,7 +157,7 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
         if odd[0].lower() in NO_PHYSICS:
             raise InputError(
                 f"{where}: {shown(odd[0])} is not part of the model: smooth spheres without spin, "
-                "walls or forces, and one r; leave it out"
+                "walls or forces; leave it out"
             )
         others = ", ".join([*OPTIONAL, *LABELS])
         raise InputError(
@@ -215,9 +234,38 @@ def _each(where: str, key: str, table: dict[str, Any]) -> tuple[Fraction, ...]:
     return found
 
 
-def _bodies(masses: tuple[Fraction, ...], radii: tuple[Fraction, ...]) -> Bodies | None:
-    """Masses and radii with their defaults; None if all spheres are equal."""
-    if not radii and len({*masses}) <= 1:
+def _restitutions(where: str, table: dict[str, Any]) -> tuple[Fraction, Fraction, Fraction]:
+    """The coefficient of restitution of each pair."""
+    key = RESTITUTION if RESTITUTION in table else "r"
+    own = table[key]
+    if key == "r" or not isinstance(own, (dict, list)):
+        given = dict.fromkeys(_PAIR_NAMES, (key, own))
+    elif isinstance(own, dict) and {*own} == {*_PAIR_NAMES}:
+        given = {name: (f"{key} of {name}", own[name]) for name in _PAIR_NAMES}
+    else:
+        raise InputError(
+            f"{where}: {key}: write one for each pair, like "
+            '{"01" = "0.9", "02" = "0.8", "12" = "0.9"}, or "0.9" for all'
+        )
+    found = []
+    for place, value in given.values():
+        r = number_in(f"{where}: {place}", value)
+        if not 0 < r < 1:
+            raise InputError(
+                f"{where}: {place}: {shown(str(r))} is not in ]0,1[; write for example 3/100"
+            )
+        found.append(r)
+    return found[0], found[1], found[2]
+
+
+_PAIR_NAMES = tuple(pair_name(i, j) for i, j in PAIRS)
+
+
+def _bodies(
+    masses: tuple[Fraction, ...], radii: tuple[Fraction, ...], *, are_equal: bool
+) -> Bodies | None:
+    """Masses and radii with their defaults; None if all spheres and pairs are equal."""
+    if are_equal and not radii and len({*masses}) <= 1:
         return None
     return Bodies(masses or (Fraction(1),) * 3, radii or (HALF,) * 3)
 

@@ -6,7 +6,7 @@ collision, and what decides the scene, to the state after the last one.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from itertools import chain, pairwise
 from math import lcm
@@ -26,8 +26,10 @@ from verify.spheres.flow.contexts import (
     PARTING,
     PASSING,
     RECENTRE,
+    TOUCHING,
     UNIT,
 )
+from verify.spheres.flow.follow import Weights
 from verify.spheres.flow.law import (
     EQUAL,
     Pair,
@@ -44,11 +46,15 @@ from verify.spheres.scene.criteria import (
     MOMENTUM,
     RECEDING,
     SAYS,
+    TURNING,
+    Spread,
     comes_to_rest,
     inelastic,
+    spread,
     turning,
     whole,
 )
+from verify.spheres.scene.middle import Middle, excluded, middles, rests
 from verify.spheres.scene.scene import (
     FIRST_FRAMES,
     PAIRS,
@@ -63,6 +69,10 @@ from verify.spheres.scene.scene import (
 LABEL = "EQUATSS2.1_Loi_de_Newton_"
 #: The theorems that are cited besides the flow.
 CLASSIFICATION = "classification"
+CLASSIFICATION_OF_BALLS = "classification-of-balls"
+EXCLUDED, RESTS = f"{CLASSIFICATION_OF_BALLS}:excluded", f"{CLASSIFICATION_OF_BALLS}:rests"
+SAYS_EXCLUDED = "no collapse has particle {} in the middle"
+SAYS_RESTS = "a collapse with particle {} in the middle ends all relative motion"
 START, LINE_START = f"{SHARPER}:start", f"{LINE}:start"
 SANDWICH_START, STAIR = f"{SANDWICH}:start", f"{SANDWICH}:stair"
 BALLS_START, BALLS_STAIR = f"{THREE_BALLS}:start", f"{THREE_BALLS}:stair"
@@ -70,7 +80,9 @@ BALLS_START, BALLS_STAIR = f"{THREE_BALLS}:start", f"{THREE_BALLS}:stair"
 TIME = "time"
 #: Intervals of 128 bits keep fractions with so many bits above and below the bar together.
 SHORT = 256
-r = symbol("r")
+#: The letter of the coefficients of restitution.
+RESTITUTION = "r"
+r = symbol(RESTITUTION)
 #: The letters of the parameters of masses and radii.
 SIZES = MASS, RADIUS = "m", "R"
 
@@ -95,7 +107,12 @@ class Telling:
     """
 
     def __init__(self, scene: Scene) -> None:
-        self.parameters: dict[str, Term] = {"r": as_term(scene.r)}
+        self.parameters: dict[str, Term] = {}
+        if scene.restitutions is None:
+            self.parameters[RESTITUTION] = as_term(scene.r)
+        else:
+            names = (f"{RESTITUTION}.{pair_name(i, j)}" for i, j in PAIRS)
+            self.parameters |= zip(names, map(as_term, scene.restitutions), strict=True)
         self.scene = scene
         self.flow = FLOW if scene.bodies is None else FLOW_OF_BALLS
         self.constants: list[Constant] = []
@@ -137,6 +154,11 @@ class Telling:
             written = f"{letter}_{{{name}}}"
             self.constants.append(Constant(full, f"{letter}_{name}", written, "", term))
         return symbol(full)
+
+    def restitution(self, i: int, j: int) -> Term:
+        """The coefficient of restitution of a pair."""
+        one = self.scene.restitutions is None
+        return r if one else symbol(f"{RESTITUTION}.{pair_name(i, j)}")
 
     def mass(self, i: int) -> Term:
         """The parameter of a mass."""
@@ -211,21 +233,25 @@ class Telling:
             self.given.state(frame, lambda name, term: self.known(name, values[name], term))
         )
 
-    def collide(self) -> None:
-        """The pair o, c collides: the next collision."""
+    def collide(self, weights: Weights | None = None) -> None:
+        """The pair o, c collides: the next collision; with weights if another is in contact."""
         before, (o, s, c) = self._next(), self.frame
         self.collisions += 1
-        way = flight(before, sqrt, self.keep)
-        after = collided(r, before, way, self.keep, self.sizes())
+        way, restitution = flight(before, sqrt, self.keep), self.restitution(o, c)
+        after = collided(restitution, before, way, self.keep, self.sizes())
         self.time = self.keep(TIME, self.time + way.y * way.T)
         later = {f"{n}_next": getattr(after, n) for n in NAMED[COLLISION]}
-        self.apply(
-            f"collision.{self.collisions}",
-            f"collision {self.collisions}, of {pair_name(o, c)}, at the time t_{self.moves}; no "
-            "other pair meets before",
-            COLLISION,
-            {"r": r, **self._squares_at(COLLISION), **before._asdict(), **way._asdict(), **later},
-        )
+        at = {"r": restitution, **self._squares_at(COLLISION)}
+        at |= {**before._asdict(), **way._asdict(), **later}
+        uses = [] if self.scene.restitutions is None else ["scene-restitutions"]
+        context, others = f"{self.flow}:{COLLISION}", "no other pair meets before"
+        if weights is not None:
+            at |= {"z_s": weights.s, "z_o": weights.o, "e": weights.angle}
+            uses, context = [*uses, "scene-touching"], f"{TOUCHING}:{TOUCHING}"
+            others = "no other pair in contact approaches, or at a right angle only"
+        says = f"collision {self.collisions}, of {pair_name(o, c)}, at the time t_{self.moves}; "
+        claim = Applies(context, {key: as_term(value) for key, value in at.items()})
+        self.row(f"collision.{self.collisions}", says + others, claim, "scene", *uses)
         self.frame, self.state = (o, c, s), _terms(after)
 
     def recentre(self) -> None:
@@ -294,8 +320,13 @@ class Telling:
 
     def limit(self, criterion: str) -> None:
         """Only finitely many collisions are possible, from this state on."""
-        self.row("range.low", "the coefficient of restitution is positive", 0 < r)
-        self.row("range.high", "and below 1: no collision adds energy", r < 1)
+        for name in (name for name in self.parameters if name.partition(".")[0] == RESTITUTION):
+            ending, one = name.removeprefix(RESTITUTION), symbol(name)
+            self.row(f"range.low{ending}", "the coefficient of restitution is positive", 0 < one)
+            self.row(f"range.high{ending}", "and below 1: no collision adds energy", one < 1)
+        if self.scene.bodies is not None:
+            self._limit_of_balls(criterion)
+            return
         if criterion == INELASTIC:
             self._finite("restitution", criterion, inelastic(r) < 0)
             return
@@ -312,6 +343,50 @@ class Telling:
 
     def _finite(self, name: str, criterion: str, claim: Claim, glue: str = "scene-finite") -> None:
         self.row(f"finite.{name}", SAYS[criterion], claim, "scene", glue)
+
+    def _limit_of_balls(self, criterion: str) -> None:
+        """The same of balls that are not equal."""
+        if criterion == INELASTIC:
+            self._middles(EXCLUDED, "s", excluded, SAYS_EXCLUDED)
+            return
+        if self.state is None:
+            self.begin(FIRST_FRAMES[0])
+        state, glue = self._next(), "scene-finite-balls"
+        masses = [self.mass(i) for i in range(3)]
+        contacts = [self.contact(i, j) for i, j in PAIRS]
+        now = spread(state, self.frame, masses, contacts, self.sizes())
+        found = {"R2": now.R2, "virial": now.A, "L2": now.L2}
+        R2, A, L2 = (self.keep(name, term) for name, term in found.items())
+        if criterion == MOMENTUM:
+            self._middles(RESTS, "t", rests, SAYS_RESTS)
+            self.row("finite.momentum", "L² is not 0", 0 < L2, "scene", glue)
+            return
+        for o, most in enumerate(map(as_term, now.touching)):
+            says = f"R² is at least what it can be at most where {o} touches both others"
+            self.row(f"finite.far.{o}", says, most <= R2, "scene", glue)
+            if criterion == TURNING:
+                claim = 0 < turning(Spread(R2, A, L2, now.touching), most)
+                says = "and L is so large that R² does not fall to that"
+                self.row(f"finite.turning.{o}", says, claim, "scene", glue)
+        if criterion == RECEDING:
+            self.row("finite.receding", "the particles recede as a whole", 0 <= A, "scene", glue)
+
+    def _middles(
+        self, context: str, letter: str, shown: Callable[[Middle], Fraction | None], says: str
+    ) -> None:
+        """A theorem applies to each ball in the middle."""
+        for middle in middles(self.scene):
+            o, (i, j), root = middle.ball, middle.others, shown(middle)
+            if root is None:
+                raise ValueError(f"the criterion does not hold of particle {o}")
+            at = {
+                "m": self.mass(o), "m_1": self.mass(i), "m_2": self.mass(j),
+                "r_1": self.restitution(o, i), "r_2": self.restitution(o, j),
+                letter: as_term(root),
+            }  # fmt: skip
+            here = {n: as_term(x) for n, x in _of(context.partition(":")[2], at).items()}
+            claim = Applies(context, here)
+            self.row(f"finite.middle.{o}", says.format(o), claim, "scene", "scene-finite-balls")
 
     def collapse(self, found: Numbers) -> None:
         """A theorem applies; when, and at which angle, the particles collapse."""
@@ -390,7 +465,7 @@ class Telling:
         """The sandwich theorem applies; a bound of the time that is left, per closing speed."""
         self._applies(SANDWICH_START, at, "scene-stair")
         half, G = (1 + r) / 2, as_term(value["G"])
-        self._steps(STAIR, points, value, (half, half), "scene-stair")
+        self._steps(STAIR, points, value, (half, half), (r, r), "scene-stair")
         return G * as_term(value["U_b"]) / as_term(value["w_b"] ** 2) / (1 - half * G)
 
     def _steps(
@@ -399,6 +474,7 @@ class Telling:
         points: tuple[tuple[Fraction, Fraction], ...],
         value: Mapping[str, Fraction],
         shares: tuple[Term, Term],
+        restitutions: tuple[Term, Term],
         glue: str,
     ) -> None:
         """The points are a stair, which ends below itself."""
@@ -407,7 +483,7 @@ class Telling:
             numbers = {
                 "alpha": shares[n % 2] * as_term(value["C_0"] - value["Theta"]),
                 "rho": G * (w[(n + 1) % 2] / w[n % 2]) ** 2,
-                "R": r * G,
+                "R": restitutions[n % 2] * G,
                 "U_b": as_term(value["U_b"]),
             }
             step = {"Q": Q, "U": U, "Q_next": Q_next, "U_next": U_next}
@@ -432,14 +508,16 @@ class Telling:
             "w": self.keep("speeds", state.w / to_s / to_c),
             "d": unit.distance,
         }
+        both = self.restitution(o, c), self.restitution(o, s)
         given = {
-            "m": self.mass(o), "m_0": self.mass(c), "m_1": self.mass(s), "r_0": r, "r_1": r,
+            "m": self.mass(o), "m_0": self.mass(c), "m_1": self.mass(s),
+            "r_0": both[0], "r_1": both[1],
             "sigma_0": to_c, "sigma_1": to_s, "sigma_12": self.contact(s, c),
         }  # fmt: skip
         at = {**value, **given, **{f"{name}_start": term for name, term in start.items()}}
         self._applies(BALLS_START, at, "scene-balls")
         shares = as_term(value["beta_0"]), as_term(value["beta_1"])
-        self._steps(BALLS_STAIR, found.stair, value, shares, "scene-balls")
+        self._steps(BALLS_STAIR, found.stair, value, shares, both, "scene-balls")
         return as_term(value["E_0"]) * as_term(unit.closing)
 
     def _collapse_on_a_line(self, unit: Unit, value: Mapping[str, Fraction]) -> Term:
@@ -449,15 +527,17 @@ class Telling:
         says = f"particle {self.frame[0]} is between the two others"
         self.row("between", says, 0 < as_term(unit.cosine))
         first = self.keep("first", as_term(unit.distance) / as_term(unit.closing))
-        numbers = {"r": r, **value, "y": unit.closing, "eta": unit.parting, "T": first}
+        o, s, c = self.frame
+        one = self.restitution(o, c)
+        numbers = {"r": one, **value, "y": unit.closing, "eta": unit.parting, "T": first}
         if self.scene.bodies is None:
-            numbers |= dict.fromkeys(("b", "b_s"), (1 + r) / 2)
+            numbers |= dict.fromkeys(("b", "b_s"), (1 + one) / 2)
         else:
-            (o, s, c), (to_c, to_s) = self.frame, self._contacts()
+            to_c, to_s = self._contacts()
             numbers |= {"y": unit.closing * to_c, "eta": unit.parting * to_s}
             numbers |= {
                 name: self._size(
-                    "b", f"{o}{i}", (1 + r) * self.mass(i) / (self.mass(o) + self.mass(i))
+                    "b", f"{o}{i}", (1 + one) * self.mass(i) / (self.mass(o) + self.mass(i))
                 )
                 for name, i in (("b", c), ("b_s", s))
             }
@@ -491,7 +571,10 @@ def _is_short(scene: Scene) -> bool:
     Over the square of a common denominator these are integers, and at most ``most``: sums of
     products of two differences, one for each axis, less 1.
     """
-    given = [scene.r, *(x for rows in (scene.positions, scene.velocities) for x in chain(*rows))]
+    given = [
+        *(scene.restitutions or (scene.r,)),
+        *(x for rows in (scene.positions, scene.velocities) for x in chain(*rows)),
+    ]
     given += () if scene.bodies is None else scene.bodies.radii
     divisor = lcm(*(number.denominator for number in given))
     top = int(max(map(abs, given)) * divisor)

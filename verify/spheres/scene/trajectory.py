@@ -55,7 +55,7 @@ def trajectory(found: Fate) -> Iterator[Instant]:
 
 def _pushes(flow: Flow, o: int, c: int) -> tuple[Number, Number]:
     """The changes of both velocities, per normal speed and per vector between the centres."""
-    whole, bodies = 1 + flow.r, flow.scene.bodies
+    whole, bodies = 1 + balls.exact(flow.scene.restitution(o, c)), flow.scene.bodies
     if bodies is None:
         return whole / 2, whole / 2
     masses, reach = bodies.masses, bodies.radii[o] + bodies.radii[c]

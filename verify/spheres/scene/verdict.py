@@ -10,14 +10,14 @@ from verify.language.record import Record
 from verify.prover import balls
 from verify.prover.decimals import exact_number, outward, short
 from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, THREE_BALLS, Start, start_of
-from verify.spheres.flow.contexts import FLOW, FLOW_OF_BALLS
+from verify.spheres.flow.contexts import FLOW, FLOW_OF_BALLS, TOUCHING
 from verify.spheres.flow.follow import RECENTRE, name_of
 from verify.spheres.flow.law import Number
 from verify.spheres.scene.criteria import SAYS, SAYS_OF_UNEQUAL
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Fate
 from verify.spheres.scene.energy import energy_lost, normal_speeds
 from verify.spheres.scene.scene import Scene
-from verify.spheres.scene.statement import CLASSIFICATION
+from verify.spheres.scene.statement import CLASSIFICATION, CLASSIFICATION_OF_BALLS
 
 #: Bits of an angle in degrees, of which at most 60 digits are shown.
 ANGLE_BITS = 512
@@ -164,9 +164,20 @@ def reason(found: Fate) -> str:
 
 def theorems(found: Fate) -> list[str]:
     """The names of the theorems on which a verdict rests; none without a verdict."""
-    flow = FLOW if found.flow.scene.bodies is None else FLOW_OF_BALLS
-    last = {COLLAPSES: [found.name], FINITE: [CLASSIFICATION], DISPERSES: []}
-    return [flow, *last[found.verdict]] if found.verdict in last else []
+    are_equal = found.flow.scene.bodies is None
+    flow = FLOW if are_equal else FLOW_OF_BALLS
+    finite = CLASSIFICATION if are_equal else CLASSIFICATION_OF_BALLS
+    last = {COLLAPSES: [found.name], FINITE: [finite], DISPERSES: []}
+    if found.verdict not in last:
+        return []
+    moves = [] if is_settled_at_start(found) else found.flow.moves
+    touching = [TOUCHING] if any(move.weights is not None for move in moves) else []
+    return [flow, *touching, *last[found.verdict]]
+
+
+def is_settled_at_start(found: Fate) -> bool:
+    """Whether no collision has to be followed for the verdict."""
+    return found.criterion is not None and found.criterion.at_start
 
 
 def scene_lines(found: Fate) -> Iterator[str]:

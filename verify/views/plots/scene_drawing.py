@@ -138,7 +138,7 @@ class Leg(Record):
 
 def legs(told: Told, steps: Iterable[Step], most: int = 200) -> list[Leg]:
     """The flight after the start and after each collision, seen from the centre of mass."""
-    scene, r, masses = told.scene, float(told.scene.r), bodies_of(told).masses
+    scene, masses = told.scene, bodies_of(told).masses
     x = [[float(a) for a in row] for row in scene.positions]
     v = [[float(a) for a in row] for row in scene.velocities]
     x, v = _centred(x, masses), _centred(v, masses)
@@ -147,7 +147,7 @@ def legs(told: Told, steps: Iterable[Step], most: int = 200) -> list[Leg]:
         for step in islice(steps, most):
             time = balls.as_float(step.time)
             x = [_moved(a, time - path[-1].time, b) for a, b in zip(x, v, strict=True)]
-            v = _collided(x, v, step.hit, r, masses)
+            v = _collided(x, v, step.hit, float(scene.restitution(*step.hit)), masses)
             path.append(Leg(time, step.pair, x, v))
     return _in_plane(path)
 

@@ -286,6 +286,27 @@ def test_a_folder_that_cannot_be_written(
     assert "--out" in capsys.readouterr().err
 
 
+EXTREME = {
+    "phi": [*PLANE, "--tangential", "1e39,1e-39"],
+    "r": ["--x", "r=1e-39..1", "--y", "h=-1e39..1e39", "--at", "w=1e39"],
+    "r above 1": ["--x", "h=-2..0", "--y", "r=11/12..3", "--at", "w=1"],
+    "h": ["--x", "h=-1e39..1e39", "--y", "w=1e-39..1e-38", "--at", "r=1e-20"],
+}
+
+
+@pytest.mark.parametrize("name", EXTREME)
+def test_numbers_of_which_the_checker_knows_less_than_doubles(name: str, tmp_path: Path) -> None:
+    """A box that only doubles decide is undecided, and no error of our own."""
+    path, words = tmp_path / "f.toml", EXTREME[name]
+    path.write_text(
+        'r = "1e-39..1"\npositions = [[0, 0], ["1.01", 0], ["-1.02", "h"]]\n'
+        'velocities = [[0, 0], [-1, "w"], [1, "-w/2"]]\n'
+        '[parameters]\nh = "-1e39..1e39"\nw = "-1e39..1e39"\n'
+    )
+    words = words if name == "phi" else ["map", str(path), *words]
+    assert main([*words, "--boxes", "50"]) in (0, 3)
+
+
 @pytest.mark.parametrize("most", [1, 100, 1000, 5000])
 def test_a_full_disk_is_told_and_leaves_whole_lines(most: int, tmp_path: Path) -> None:
     """A file may have so many bytes: what does not fit is not there, and not called the output."""

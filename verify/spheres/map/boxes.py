@@ -192,7 +192,8 @@ def finitely_many(plane: Scenes, keys: Sequence[str]) -> Verdicts:
         x, y = sides(plane, keys)
         r = value_of(plane.r, x, y, enclosed)
         least = exactly(r.low)
-        fine = np.broadcast_to((r.low > 0) & (comes_to_rest(least).high < 0), len(keys)).copy()
+        between = (r.low > 0) & (r.high < 1)
+        fine = np.broadcast_to(between & (comes_to_rest(least).high < 0), len(keys)).copy()
         late = fine & ~(inelastic(least).high < 0)
         if late.any():
             fine &= ~late | turning(plane, keys)

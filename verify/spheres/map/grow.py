@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import re
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, suppress
@@ -80,8 +82,9 @@ def batches(progress: Progress, ahead: int) -> Iterator[list[list[str]] | None]:
 
 
 def _confirmed(plane: Plane | BorderStrip, keys: list[str], found: Verdicts) -> Verdicts:
-    """The verdicts, but for late boxes those that the checker confirms."""
-    if not found.late:
+    """The verdicts, but for late boxes, or all of an extreme plane, those that are confirmed."""
+    late = range(len(keys)) if is_extreme(plane) else found.late
+    if not late:
         return found
     checked = check_map.plane_of(plane_document(plane))
     law = check_map.law_in(checked)
@@ -98,10 +101,25 @@ def _confirmed(plane: Plane | BorderStrip, keys: list[str], found: Verdicts) -> 
             return False
         return True
 
-    for i in found.late:
-        choices = (letters[i], FINITE)
+    for i in late:
+        choices = () if letters[i] == UNDECIDED else (letters[i], FINITE)
         letters[i] = next((letter for letter in choices if is_proved(i, letter)), UNDECIDED)
     return found._replace(letters="".join(letters))
+
+
+#: Between this and its inverse doubles tell no more of a number than the checker's numbers do.
+SMALL = Fraction(1, 1 << 32)
+
+
+def is_extreme(plane: Plane | BorderStrip) -> bool:
+    """Whether a plane has a number of which the checker may know less than doubles tell.
+
+    Doubles have as many digits of each number; the checker counts in units of 2^-96.
+    """
+    phi = plane.phi if isinstance(plane, BorderStrip) else plane
+    words = re.findall(r'"(-?[0-9]+(?:/[0-9]+)?)"', json.dumps(plane_document(phi)))
+    sizes = (abs(Fraction(word)) for word in words)
+    return any(size and not SMALL <= size <= 1 / SMALL for size in sizes)
 
 
 def is_reached(goal: Target, progress: Progress) -> bool:

@@ -135,7 +135,7 @@ def row_counts() -> str:
         (
             "Of these, refuted for the checker",
             sum(row["verdict"] != "proved" for row in [*here["hypotheses"], *printed]),
-            "refuted, true but badly derived, and remarks: it knows claims, not what a text means",
+            "refuted, true for another reason, and remarks: it knows claims, not what a text means",
         ),
         ("The repaired set, for all parameters", len(both & names_of(every)), "the same rows"),
         ("Hypotheses that follow", derived, "those that the chart of parameters implies"),

@@ -26,6 +26,7 @@ from verify.wire.packaged import DIGESTS, PACKAGED, PACKAGED_FILES, PAGES
 from verify.wire.write import write
 
 ROOT = Path(__file__).parents[1]
+SCENES = ROOT / "certificates/scenes"
 
 
 def files() -> Iterator[tuple[Path, bytes]]:
@@ -44,6 +45,8 @@ def files() -> Iterator[tuple[Path, bytes]]:
             raise SystemExit(f"verify/paper/{page}.toml has changed: run `verify certify` first")
         code = code.replace(old, sha256(whole(page)).hexdigest())
     yield Path(DIGESTS), code.encode()
+    for path in (*(ROOT / "certificates/examples").glob("*.toml"), *SCENES.glob("*.toml")):
+        yield Path(PACKAGED, "examples", path.name), path.read_bytes()
     page_of_theorem = Path(PAGE).read_bytes()
     yield Path(COMPILED), compiled(as_read(page_of_theorem), page_of_theorem).encode()
     yield Path(index.INDEX), index.text(places()).encode()

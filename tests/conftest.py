@@ -7,6 +7,7 @@ slow` runs them, as CI does, and a file that is named is run as it is.
 from __future__ import annotations
 
 import gc
+import signal
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,7 +18,8 @@ SLOW = Path(__file__).with_name("slow.txt").read_text(encoding="utf-8").split()
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """The marker is known."""
+    """The marker is known; who starts tests in the background ignores no interrupt of theirs."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     config.addinivalue_line("markers", "slow: left out where no file is named; see slow.txt")
 
 

@@ -62,18 +62,19 @@ OPEN = "with d_0 > 0 and eta_s > 0" in file("certificates/printed-set/report.md"
 
 P = "README.md"
 so(P, "With `<`, as printed", PRINTED)
-so(P, "With `>` the particles collapse", MEANT)
+so(P, "With `>`, for all parameters", MEANT)
 so(P, "Coq proves Theorem 1, with `>`", MEANT)
 so(P, "As printed, with <:", PRINTED)
-so(P, "d₀ > 0;", OPEN)
-so(P, "η_s > 0, is the paper's", OPEN)
+so(P, "gap (d₀ > 0) collapses", OPEN)
+so(P, "separates (η_s > 0)", OPEN)
 LAW = has("verify/paper/glossary.py", "multiplies the normal velocity by -r")
 so(P, "relative velocity by -r.", LAW)
 so("docs/reference/glossary.md", "relative velocity by -r.", LAW)
 so("docs/tutorials/three-particles.md", "relative velocity by -r:", LAW)
 so("", "`-v`", has("verify/cli/options.py", "-v, --verbose"))
 P = "docs/index.md"
-so(P, "(read with > in (4.10))", MEANT)
+so(P, "As printed, with < in (4.10),", PRINTED)
+so(P, "read with > it holds", MEANT)
 P = "docs/howto/cite.md"
 so(P, "the hypothesis (4.10) read with > and", MEANT)
 P = "docs/explanation/separatrix.md"
@@ -81,7 +82,7 @@ so(P, "read with >.", MEANT)
 P = "docs/tutorials/referee.md"
 so(P, "with <: refuted", PRINTED)
 so(P, "misprinted. With `<` the", PRINTED)
-so(P, "with >: proved", MEANT)
+so(P, "*With >, its set as printed: proved", MEANT)
 so(P, "d₀ > 0 and η_s > 0,", OPEN)
 so(P, "(η_s > 0 is", OPEN)
 so(P, "a gap d₀ > 0 is left", OPEN)
@@ -163,6 +164,17 @@ so(P, "> is printed between equal", row("spectrum", "cone-x-bound-2"))
 
 P = "docs/explanation/coq.md"
 V = "verify/coq/Theorem1.v"
+so(P, "`touch_1`, `touch_2`", has(V, "touch_1 :", "touch_2 :"))
+so(
+    P,
+    "they are if r > 7 - 4√3; if r > 9 - 4√5 and the",
+    has("verify/coq/PinnedClassification.v", "7 - 4 * sqrt 3 < r \\/ 9 - 4 * sqrt 5 < r /\\"),
+)
+so(
+    "docs/explanation/classification.md",
+    "needs r < 9 - 4√5",
+    row("theorem1-r-3-100", "r-below-stabi"),
+)
 said(P, "collision law {}: with", number("EQUATSS2.1_Loi_de_Newton_"))
 so(
     P,
@@ -311,6 +323,11 @@ so(P, "`η` < 0 and", "ω_c·W_c < 0" in meaning("η_c"))
 P = "docs/reference/commands.md"
 so(P, "`0.03`, `3/100` and `3e-2`", alike("0.03", "3/100", "3e-2"))
 P = "docs/reference/glossary.md"
+so(
+    P,
+    "`delta_x`, `x_0`, `Delta_theta`, `eta_bar`",
+    has("verify/paper/theorem1.toml", "printed.delta_x:", "printed.x_0:", "printed.Delta_theta:"),
+)
 so(P, "`left < right`, `left ≤ right`", alike("a ≤ b", "a <= b"))
 said(P, "Printed as `{}`", sides("zeta-x-bound")[0] + "…")
 so(P, "`EQUATSS4.1Recurrence_Cnd8`", number(f"{CONDITION}8"))
@@ -336,7 +353,7 @@ so(
     names_of_rows("0 < a <= b") == ["r.1", "r.2"],
 )
 so(P, '`{ x = "sqrt(2)" }`', alike("sqrt(2)", "√2"))
-so(P, '`loses = "1/4 <= loss"`', has(P, 'loses = { lemma = "1/4 <= loss"'))
+so(P, '`loses = "1/4 <= loss"`', has(P, "lemma loses: 1/4 <= loss"))
 so(P, "`NAME-1`, `NAME-2`,", has("certificates/step/report.md", "`x_0-entry-1`"))
 so(P, '`by = "a b square(x - y)"`', has(P, "square(s)"))
 so(P, '`by = "goal*a + 2*b*c"`', has(P, "goal + square(v - s)"))

@@ -84,9 +84,9 @@ said("", "φ₂ = d/η_c²", by=file("verify/views/map.py"))
 
 said(
     "README.md",
-    "{} of its claims are refuted at {}, or at another point that is named. {} of the {}, with {} "
-    "causes, break the argument; {} are false but harmless; {} are slips of wording. The {} "
-    "causes:",
+    "{} of its claims are refuted at {}, or at another point that is named. {} of the {} break the "
+    "argument, by {} mistakes; {} are false but harmless; {} are slips of wording. The {} "
+    "mistakes:",
     *(
         F["refuted"],
         AT,
@@ -99,7 +99,7 @@ said(
     F["breaking_causes"],
 )
 said("README.md", "more than δ₂²", by=row("theorem1-r-3-100", "zeta-term-2"))
-said("README.md", "*{} true, but badly derived*", F["otherwise"])
+said("README.md", "*{} true, but the reason given does not suffice*", F["otherwise"])
 said("README.md", "*{} remarks*", F["remarks"])
 said(
     "README.md",
@@ -127,16 +127,6 @@ said(
     *CODES,
 )
 SIGN, SET = sentences("printed-sign"), sentences("printed-set")
-said(
-    "README.md",
-    "{} sentences for the sign, of which Coq has proved {}",
-    *SIGN,
-)
-said(
-    "README.md",
-    "and {} for the set, of which it has proved {}.",
-    *SET,
-)
 
 # --- docs/contributing ----------------------------------------------------------------------------
 
@@ -496,7 +486,7 @@ said(
 said(
     P,
     "below κ η_c²",
-    by=coded("κη_c²", "verify/paper/sharper.toml", 'start-d-small = "d_start <= k*y_start^2"'),
+    by=coded("κη_c²", "verify/paper/sharper.toml", "start-d-small: d_start <= k*y_start^2"),
 )
 said(
     P,
@@ -669,12 +659,12 @@ said(P, "W and √V are", by=coded("√V", "verify/paper/glossary.py", "V₀"))
 # --- docs/tutorials -------------------------------------------------------------------------------
 
 P = "docs/tutorials/referee.md"
-said(P, "*{} true, but badly derived*", F["otherwise"])
+said(P, "*{} true, but the reason given does not suffice*", F["otherwise"])
 said(P, "*{} remarks*", F["remarks"])
 said(P, "*Given {} assumptions*", len(KINDS))
 said(
     P,
-    "the {} refuted rows, the {} that are true but badly derived, and the {} remarks together, {} "
+    "the {} refuted rows, the {} that are true for another reason, and the {} remarks together, {} "
     "printed rows",
     F["refuted"],
     F["otherwise"],
@@ -774,7 +764,7 @@ said(
 said(
     "docs/explanation/sharper.md",
     "p + Y < 1 |",
-    by=coded("p+Y<1", "verify/paper/sharper.toml", 'decay-positive = "0 < 1 - ratio"'),
+    by=coded("p+Y<1", "verify/paper/sharper.toml", "decay-positive: 0 < 1 - ratio"),
 )
 said("docs/index.md", "at r = {},", R)
 said(

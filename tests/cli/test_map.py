@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import resource
 import signal
 import subprocess
 import sys
@@ -283,6 +284,22 @@ def test_a_folder_that_cannot_be_written(
     (tmp_path / "file").write_text("")
     assert main([*PLANE, "--out", str(tmp_path / "file")]) == 2
     assert "--out" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("most", [1, 100, 1000, 5000])
+def test_a_full_disk_is_told_and_leaves_whole_lines(most: int, tmp_path: Path) -> None:
+    """A file may have so many bytes: what does not fit is not there, and not called the output."""
+    done = subprocess.run(
+        [sys.executable, "-m", "verify", *PLANE, "--out", str(tmp_path / "out")],
+        capture_output=True,
+        text=True,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (most, most)),
+        check=False,
+    )
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith("verify: --out: ")
+    log = (tmp_path / "out" / "map.jsonl").read_bytes()
+    assert log == b"" or log.endswith(b"\n")
 
 
 def test_ctrl_c_keeps_what_was_proved(tmp_path: Path) -> None:

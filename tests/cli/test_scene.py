@@ -144,7 +144,17 @@ BAD = {
     "mass-unit": (GOOD + 'masses = ["1 kg", 1, 1]\n', "'1 kg' is not an exact number"),
     "angle": (GOOD.replace("-1.006", '"-1.5*cos(30°)"'), "write coordinates, not angles"),
     "diameter": (GOOD + 'diameter = "0"\n', "diameter: '0' is not positive"),
-    "no-toml": ("r = = 1\n", "is no TOML file"),
+    "no-toml": ("r = = 1\n", "is not valid TOML"),
+    "twice": (GOOD + "r = 0.04\n", "a name stands there twice"),
+    "twice-inside": (GOOD + "[parameters]\nh = {a = 1, a = 2}\n", "a key stands there twice"),
+    "like-another": (GOOD + '"r\u0301" = 0.04\n', "do you mean r?"),
+    "wide": (GOOD + '"\uff52" = 0.04\n', "'\uff52' is not known"),
+    "grouped": (GOOD.replace("-1.006", '"-1_006"'), "'-1_006' is not an exact number"),
+    "hexadecimal": (GOOD.replace("-1.006", '"0x10"'), "'0x10' is not an exact number"),
+    "true": (GOOD.replace("-1.006", "true"), "'True' is not a number"),
+    "date": (GOOD.replace("-1.006", "1979-05-27"), "'1979-05-27' is not a number"),
+    "nested": (GOOD.replace("-1.006", "[-1.006]"), "is not a number"),
+    "remark": (GOOD.replace("-1.006", '"-1.006 # left"'), "is not an exact number"),
     "large": (GOOD.replace("0.03", "1e-99999"), "the exponent of '1e-99999' is too large"),
 }
 

@@ -18,6 +18,7 @@ from typing import Any
 import pytest
 
 from tests.citing import cited_in
+from tests.paper.changed_page import with_changes
 from verify import check
 from verify.cli import main
 from verify.language.terms import cos_pi
@@ -665,11 +666,9 @@ def test_nothing_heavy_is_imported() -> None:
 def test_the_process_exits_with_the_verdict_when_a_bound_breaks(tmp_path: Path) -> None:
     """What CI relies on: with a bound broken on purpose the main job exits 1."""
     text = Path(theorem1.PAGE).read_text(encoding="utf-8")
-    entries = '"repaired.zeta_bar" = { value = "min(zeta_entries)"'
-    assert text.count(entries) == 1
+    entries = "repaired.zeta_bar: min(zeta_entries)"
     page = tmp_path / "theorem1.toml"
-    broken = text.replace(entries, entries.replace("min(", "2*min("))
-    page.write_text(broken, encoding="utf-8")
+    page.write_text(with_changes(text, (entries, entries.replace("min(", "2*min("))))
     code = (
         "import sys\n"
         "from verify.paper import theorem1\n"

@@ -177,3 +177,28 @@ except KeyboardInterrupt:
         [sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=False
     )
     assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("files", [5, 6, 8, 12])
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["theorem1", "--r", "0.02..0.05", "--steps", "4", "--jobs", "2"],
+        ["scene", "certificates/scenes", "--jobs", "2"],
+        ["map", "phi", "--r", "0.03", "--undecided", "90%", "--jobs", "2"],
+    ],
+)
+def test_too_few_files_for_helpers_are_told(words: list[str], files: int) -> None:
+    """The system allows so many open files: that is said, and nothing of the standard output."""
+    done = subprocess.run(
+        [sys.executable, "-m", "verify", *words],
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (files, files)),
+        check=False,
+    )
+    assert done.stderr.count("\n") == 1, done.stderr
+    assert "stdout" not in done.stderr
+    assert done.returncode in ({2, 5} if files < 6 else {5}), done.stderr
+    assert "report it" not in done.stderr

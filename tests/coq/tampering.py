@@ -169,10 +169,10 @@ PRINTED = {
 PRINTED_STUB = "From Verify Require PrintedSet.\nAxioms lemma1 : PrintedSet.printed_set_theorem.\n"
 PRINTED_STUB += "Definition printed_set_theorem_holds := lemma1.\n"
 
-#: In the files that say which collapses there are, what balls do on a line, that the printed sign
-#: is wrong, and what the spectrum is, each seen by the page that pins it: hypotheses that nothing
-#: satisfies, a witness that satisfies not all of them, another order or ball, <= for <, the plane
-#: for R^d, less.
+#: In the files that say which collapses there are, what balls do on a line and in space, that the
+#: printed sign is wrong, and what the spectrum is, each seen by the page that pins it: hypotheses
+#: that nothing satisfies, a witness that satisfies not all of them, another order or ball, <= for
+#: <, the plane for R^d, less.
 OTHERS = {
     "the-same-classification": Definition("Classification", "", ""),
     "the-same-sign": Definition("PrintedSign", "", ""),
@@ -249,6 +249,55 @@ OTHERS = {
         "Line", "distance d at_T o a = radius o", "distance d at_T o a >= radius o"
     ),
     "line-equal-later": Definition("Line", "(gap / closing)) 1 0.", "(gap / closing)) 1 1."),
+    "the-same-three": Definition("ThreeBalls", "", ""),
+    "three-of-no-r": Definition(
+        "ThreeBalls", "(forall b, 0 < r b <= 1)", "(forall b, 0 < r b <= 0)"
+    ),
+    "three-inelastic": Definition(
+        "ThreeBalls", "(forall b, 0 < r b <= 1)", "(forall b, 0 < r b < 1)"
+    ),
+    "three-of-no-speed": Definition("ThreeBalls", "0 < gap /\\ 0 < y /\\", "0 < gap /\\ y < 0 /\\"),
+    "three-another-order": Definition("ThreeBalls", "then c else a.", "then a else c."),
+    "three-one-restitution": Definition(
+        "ThreeBalls", "parts d mass (r b) o b", "parts d mass (r c) o b"
+    ),
+    "three-equal-masses": Definition(
+        "ThreeBalls", "mass b / (mass o + mass b)", "mass b / (mass b + mass b)"
+    ),
+    "three-equal-radii": Definition(
+        "ThreeBalls", "(reach_of b / reach_of b')", "(reach_of b / reach_of b)"
+    ),
+    "three-in-the-plane": Definition(
+        "ThreeBalls",
+        "forall d mass radius r o a c w Y k E",
+        "let d := 2%nat in forall mass radius r o a c w Y k E",
+    ),
+    "three-later": Definition("ThreeBalls", "T <= E c * closing", "T <= 2 * E c * closing"),
+    "three-angle": Definition(
+        "ThreeBalls", "at_T o a c - C_0) <= Theta.", "at_T o a c - C_0) <= 2 * Theta."
+    ),
+    "three-touch": Definition(
+        "ThreeBalls", "distance d at_T o c = rad", "distance d at_T o c >= rad"
+    ),
+    "three-never": Definition("ThreeBalls", "Un_cv time T /\\ T <=", "T <="),
+    "three-map": Definition("ThreeBalls", "(2 * fst p + rho", "(fst p + rho"),
+    "three-map-stops": Definition(
+        "ThreeBalls",
+        "forall n, 0 < pace (alpha_of n)",
+        "forall n, 0 <= pace (alpha_of n)",
+    ),
+    "three-stair": Definition("ThreeBalls", "(n <= S N)%nat", "(n <= S (S N))%nat"),
+    "three-outer-pair": Definition(
+        "ThreeBalls", "(radius a + radius c) ^ 2 <", "(radius a + radius c) ^ 2 <="
+    ),
+    "three-equal-later": Definition(
+        "ThreeBalls", "B0 B2 s) C_0 Theta.", "B0 B2 s) C_0 (2 * Theta)."
+    ),
+    "law-another-ball": Definition("ThreeBalls", "radius z o c i y", "radius z o i c y"),
+    "law-of-no-flight": Definition("ThreeBalls", "0 < kap /\\", "kap < 0 /\\"),
+    "law-masses": Definition("ThreeBalls", "(1 + mass o / mass c)", "(1 + mass c / mass o)"),
+    "law-angle": Definition("ThreeBalls", "(to x o c) = - C /\\", "(to x o c) = C /\\"),
+    "law-outer-pair": Definition("ThreeBalls", "  0 < K_c + K_s - K_o", "  0 <= K_c + K_s - K_o"),
     "matrix-entry": Definition("Spectrum", "- 59 * r - 1) / 64", "- 59 * r + 1) / 64"),
     "matrix-order": Definition(
         "Spectrum",
@@ -273,7 +322,7 @@ OTHERS = {
     ),
     "spectrum-no-decay": Definition("Spectrum", "exists q, 0 < q < 1 /\\", "exists q, 0 < q /\\"),
 }  # fmt: skip
-#: The page that pins each of the four, and the files with proofs on which it rests, with what they
+#: The page that pins each of the five, and the files with proofs on which it rests, with what they
 #: prove: a theorem for each proposition.
 PAGES = {
     "Classification": (
@@ -288,6 +337,14 @@ PAGES = {
         },
     ),
     "Line": ("PinnedLine", {"LineProof": ("line_theorem", "equal_on_a_line")}),
+    "ThreeBalls": (
+        "PinnedThreeBalls",
+        {
+            "ThreeBallsMap": ("stair_theorem",),
+            "ThreeBallsCollapse": ("three_balls_theorem", "three_equal_balls"),
+            "BallsFlowStep": ("law_theorem",),
+        },
+    ),
     "PrintedSign": ("PinnedPrintedSign", {"PrintedSignProof": ("printed_sign_theorem",)}),
     "Spectrum": ("PinnedSpectrum", {"SpectrumProof": ()}),
 }  # fmt: skip

@@ -147,7 +147,7 @@ def test_a_statement_after_another_one_begins_as_what_it_cites_does() -> None:
 def test_everything_of_the_proof_is_compiled() -> None:
     project = (SOURCES / "_CoqProject").read_text()
     compiled = re.findall(r"^(\w+)\.v$", project, re.MULTILINE)
-    made = ["Step", "All", "Flow", "Sharper", "AsPrinted", "Collapsing"]
+    made = ["Step", "All", "Flow", "Sharper", "AsPrinted", "Collapsing", "Balls", "BallsFlow"]
     assert sorted(compiled) == sorted([*made, *(path.stem for path in SOURCES.glob("*.v"))])
 
 
@@ -191,7 +191,7 @@ def test_what_coq_proves_of_the_sentences_taken_on_trust_is_pinned() -> None:
     for name in discharging():
         file, _, theorem = name.partition(".")
         text = (SOURCES / f"{file}.v").read_text()
-        defines = file in ("Theorem1", "Separatrix", "Spectrum", "Line")
+        defines = file in ("Theorem1", "Separatrix", "Spectrum", "Line", "ThreeBalls")
         kinds = "Definition|Record|Fixpoint" if defines else "Theorem|Lemma"
         assert len(re.findall(rf"^({kinds}) {theorem}\b", text, re.MULTILINE)) == 1, name
         assert pinned(name), name
@@ -363,6 +363,138 @@ SAID = {
         "collapse d r x v ((1 - Q) / (1 - 2 * Q) * (gap / closing)) 1 0.",
         "Print Assumptions line_proved.",
     ),
+    "PinnedThreeBalls": (
+        (
+            "forall d mass radius r o a c w Y k E G U_b C_0 Theta z Q_0 U_0 x v, "
+            "(forall b, 0 < mass b) -> (forall b, 0 < radius b) -> (forall b, 0 < r b "
+            "<= 1) -> (a <> o /\\ c <> o /\\ a <> c) -> numbers mass radius r o a c w Y k"
+            " E G U_b C_0 Theta U_0 -> endless_map mass radius r o a c w G U_b C_0 "
+            "Theta Q_0 U_0 -> start d mass radius r o a c w Y k E G U_b C_0 Theta z Q_0"
+            " U_0 x v -> exists places velocities time T at_T, in_turn d mass radius r "
+            "o a c x v places velocities time /\\ Un_cv time T /\\ T <= E c * "
+            "closing_speed d radius o c x v /\\ settles d places at_T /\\ distance d at_T"
+            " o a = radius o + radius a /\\ distance d at_T o c = radius o + radius c /\\"
+            " Un_cv (fun n => minus_cosine_at d (places n) o a c) (minus_cosine_at d "
+            "at_T o a c) /\\ Rabs (minus_cosine_at d at_T o a c - C_0) <= Theta."
+        ),
+        (
+            "forall mass radius r o a c w G U_b C_0 Theta Q_0 U_0 N Q U, (forall b, 0 <"
+            " mass b) -> (forall b, 0 < radius b) -> (forall b, 0 < r b) -> 1 <= G -> "
+            "U_b < 1 -> Theta < C_0 -> stairs mass radius r o a c w G U_b C_0 Theta Q_0"
+            " U_0 N Q U -> endless_map mass radius r o a c w G U_b C_0 Theta Q_0 U_0."
+        ),
+        (
+            "forall d r w Y k E G U_b C_0 Theta z Q_0 U_0 x v, 0 < r < 1 -> numbers "
+            "(fun _ => 1) (fun _ => 1 / 2) (fun _ => r) B0 B1 B2 w Y k E G U_b C_0 "
+            "Theta U_0 -> endless_map (fun _ => 1) (fun _ => 1 / 2) (fun _ => r) B0 B1 "
+            "B2 w G U_b C_0 Theta Q_0 U_0 -> start d (fun _ => 1) (fun _ => 1 / 2) (fun"
+            " _ => r) B0 B1 B2 w Y k E G U_b C_0 Theta z Q_0 U_0 x v -> collapse d r x "
+            "v (E B2 * closing_speed d (fun _ => 1 / 2) B0 B2 x v) C_0 Theta."
+        ),
+        (
+            "(places O = x /\\ velocities O = v /\\ time O = 0) /\\ forall n, let t := "
+            "time (S n) - time n in meet_first d radius (places n) (velocities n) o (c_"
+            " n) t /\\ places (S n) = moved t (places n) (velocities n) /\\ part d mass "
+            "(r (c_ n)) (places (S n)) (velocities n) o (c_ n) (velocities (S n))."
+        ),
+        (
+            "distance d x o a = sigma a /\\ let y := closing_speed x v in let eta := "
+            "rate d x v o a / sigma a ^ 2 in let gap := distance d x o c / sigma c - 1 "
+            "in let gain := G / (1 - Y c * Y a) in 0 < gap /\\ 0 < y /\\ 0 < eta /\\ k c *"
+            " y <= eta <= Q_0 * y /\\ gap * (2 + gap) * w c ^ 2 <= U_0 * (2 - U_0) * (1 "
+            "+ gap) ^ 2 * y ^ 2 /\\ U_b * (2 - U_b) * G ^ 2 * y ^ 2 <= w c ^ 2 * (G ^ 2 "
+            "- 1) /\\ U_b * (2 - U_b) * G ^ 2 * (Y c * y) ^ 2 <= w a ^ 2 * (G ^ 2 - 1) "
+            "/\\ y <= z /\\ Y c * y <= z /\\ beta c a * y <= z /\\ beta a c * (Y c * y) <= "
+            "z /\\ speed x v c <= w c - beta a c * Y c * gain * y /\\ speed x v a <= w a "
+            "- beta c a * gain * y /\\ Rabs (minus_cosine_at d x o a c - C_0) + (w c + w"
+            " a + z) * E c * y <= Theta."
+        ),
+        (
+            "1 <= G /\\ U_0 <= U_b < 1 /\\ Y c * Y a < 1 /\\ Theta < C_0 <= 1 /\\ "
+            "numbers_for c a /\\ numbers_for a c /\\ (radius a + radius c) ^ 2 < sigma c "
+            "^ 2 + sigma a ^ 2 + 2 * sigma c * sigma a * (C_0 - Theta)."
+        ),
+        (
+            "0 < Y b /\\ 0 <= k b /\\ 0 < w b /\\ G ^ 2 * beta b b' <= G * Y b + k b /\\ k "
+            "b' * Y b <= r b * (1 - U_b) /\\ G * U_b <= w b ^ 2 * (E b - Y b * E b')."
+        ),
+        (
+            "0 <= Q_0 <= Q O /\\ 0 <= U_0 <= U O /\\ (forall n, (n <= S N)%nat -> let p "
+            ":= (Q n, U n) in 0 <= Q n /\\ 0 <= U n <= U_b /\\ 0 <= U (S n) <= U_b /\\ 0 <"
+            " P (alpha n) (rho n) p /\\ r (c_ n) * G * (1 - U n) <= Q (S n) * P (alpha "
+            "n) (rho n) p /\\ L (rho n) p <= U (S n) * (2 - U (S n)) * P (alpha n) (rho "
+            "n) p ^ 2) /\\ Q (S (S N)) <= Q N /\\ U (S (S N)) <= U N."
+        ),
+        (
+            "forall n, 0 < P (alpha n) (rho n) (orbit n) /\\ L (rho n) (orbit n) <= U_b "
+            "* (2 - U_b) * P (alpha n) (rho n) (orbit n) ^ 2."
+        ),
+        (
+            "Fixpoint orbit (n : nat) : R * R := match n with O => (Q_0, U_0) | S n => "
+            "next (alpha n) (rho n) (r (c_ n) * G) (orbit n) end."
+        ),
+        "Definition alpha (n : nat) : R := beta (c_ n) (s_ n) * (C_0 - Theta).",
+        "Definition rho (n : nat) : R := G * (w (s_ n) / w (c_ n)) ^ 2.",
+        (
+            "Definition beta (b b' : ball) : R := (1 + r b) * mass b / (mass o + mass "
+            "b) * (sigma b / sigma b')."
+        ),
+        "Definition sigma (b : ball) : R := radius o + radius b.",
+        (
+            "Definition P (alpha rho : R) (p : R * R) : R := alpha * (1 - snd p) - fst "
+            "p - rho * snd p."
+        ),
+        "Definition L (rho : R) (p : R * R) : R := rho * snd p * (2 * fst p + rho * snd p).",
+        (
+            "(ratio * (1 - snd p) / P alpha rho p, 1 - sqrt (1 - L rho p / P alpha rho "
+            "p / P alpha rho p))."
+        ),
+        "Definition c_ (n : nat) : ball := if Nat.even n then c else a.",
+        "Definition s_ (n : nat) : ball := if Nat.even n then a else c.",
+        (
+            "Definition closing_speed (x v : ball -> nat -> R) : R := - rate d x v o c "
+            "/ (distance d x o c * sigma c)."
+        ),
+        (
+            "Definition speed (x v : ball -> nat -> R) b : R := sqrt (dot d (from_to v "
+            "o b) (from_to v o b)) / sigma b."
+        ),
+        (
+            "forall d mass radius r x u o i c v lam rho eps sig A B C a b w y q kap s T"
+            " C' lam' A' B' a' b' w' eps', (forall b, 0 < mass b) -> (forall b, 0 < "
+            "radius b) -> (i <> o /\\ c <> o /\\ i <> c) -> products d radius x u o i c v"
+            " lam rho eps sig A B C a b w -> collision_numbers ((radius o + radius c) ^"
+            " 2) ((radius o + radius i) ^ 2) ((radius i + radius c) ^ 2) (1 + mass o / "
+            "mass c) r v lam rho eps sig A B C a b w y q kap s T C' lam' A' B' a' b' w'"
+            " eps' -> exists u', meet_first d radius x u o c (y * T) /\\ part d mass r "
+            "(moved (y * T) x u) u o c u' /\\ products d radius (moved (y * T) x u) u' o"
+            " c i y lam' (r * s) eps' 0 A' B' C' a' b' w'."
+        ),
+        (
+            "let x_i := from_to x o i in let x_c := from_to x o c in let W_i := from_to"
+            " u o i in let W_c := from_to u o c in dot d x_i x_i = (radius o + radius "
+            "i) ^ 2 + sig * v ^ 2 /\\ dot d x_c x_c = (radius o + radius c) ^ 2 + eps * "
+            "v ^ 2 /\\ dot d x_i x_c = - C /\\ dot d x_i W_i = rho * v /\\ dot d x_c W_c ="
+            " - (lam * v) /\\ dot d x_i W_c = a /\\ dot d x_c W_i = b /\\ dot d W_i W_i = "
+            "B /\\ dot d W_c W_c = A /\\ dot d W_i W_c = w."
+        ),
+        (
+            "0 < r /\\ 0 < v /\\ 0 < lam /\\ 0 <= A /\\ y = lam * v /\\ q = rho / lam /\\ kap"
+            " = eps / lam / lam /\\ 0 < kap /\\ 0 < 1 - A * kap /\\ s = sqrt (1 - A * kap)"
+            " /\\ T = kap / (1 + s) /\\ C' = C - y * T * (a + (b + y * T * w)) /\\ lam' = "
+            "(1 + r) / n * s * C' / K_c - q - T * B /\\ A' = B + (1 + r) / n * (y * s) *"
+            " (2 * (b + y * T * w) + (1 + r) / n * (y * s)) / K_c /\\ B' = A - (1 - r ^ "
+            "2) * (y * s) ^ 2 / K_c /\\ a' = b + y * T * w + (1 + r) / n * (y * s) /\\ b'"
+            " = a + y * T * w - n * ((1 + r) / n * (y * s)) * C' / K_c /\\ w' = w + (1 +"
+            " r) / n * (y * s) * (n * (b + y * T * w) + r * (y * s)) / K_c /\\ eps' = "
+            "sig / lam / lam + T * (2 * q + T * B) /\\ 0 <= sig /\\ 0 <= sig + T * lam * "
+            "rho /\\ 0 < eps' /\\ 0 <= K_c + K_s - K_o + (eps + sig) * v ^ 2 + 2 * C /\\ 0"
+            " <= K_c + K_s - K_o + (eps + sig) * v ^ 2 + 2 * C + ((rho - lam) * v - a -"
+            " b) * (y * T) /\\ 0 < K_c + K_s - K_o + (eps + sig) * v ^ 2 + 2 * C + y * T"
+            " * (2 * ((rho - lam) * v - a - b) + (A + B - 2 * w) * (y * T)) /\\ 0 <= B'."
+        ),
+        "Print Assumptions three_balls_proved.",
+    ),
     "PinnedSpectrum": (
         (
             "forall d r x v w u e f, triangle d x -> triple d r x v w -> coordinates d 1 x v u e "
@@ -418,6 +550,23 @@ WEAKER = (
     ("PinnedLine", "T <= (1 - Q)", "T <= 2 * (1 - Q)"),
     ("PinnedLine", "rate d (moved t x v) v i j < 0", "rate d (moved t x v) v i j <= 0"),
     ("PinnedLine", "(gap / closing)) 1 0.", "(gap / closing)) 1 2."),
+    ("PinnedThreeBalls", "0 < r b <= 1)", "0 < r b < 1)"),
+    ("PinnedThreeBalls", "0 < gap /\\ 0 < y", "0 < gap /\\ y < 0"),
+    ("PinnedThreeBalls", "Nat.even n then c else a.", "Nat.even n then a else c."),
+    ("PinnedThreeBalls", "part d mass (r (c_ n))", "part d mass (r c)"),
+    ("PinnedThreeBalls", "forall d mass radius r o a c", "forall mass radius r o a c"),
+    ("PinnedThreeBalls", "T <= E c *", "T <= 2 * E c *"),
+    ("PinnedThreeBalls", "- C_0) <= Theta.", "- C_0) <= 2 * Theta."),
+    ("PinnedThreeBalls", "distance d at_T o c = radius", "distance d at_T o c >= radius"),
+    ("PinnedThreeBalls", "mass b / (mass o + mass b)", "mass b / (mass b + mass b)"),
+    ("PinnedThreeBalls", "forall n, 0 < P (alpha n)", "forall n, 0 <= P (alpha n)"),
+    ("PinnedThreeBalls", "(n <= S N)%nat", "(n <= S (S N))%nat"),
+    ("PinnedThreeBalls", "(radius a + radius c) ^ 2 <", "(radius a + radius c) ^ 2 <="),
+    ("PinnedThreeBalls", "B0 B2 x v) C_0 Theta.", "B0 B2 x v) C_0 (2 * Theta)."),
+    ("PinnedThreeBalls", "meet_first d radius (places n)", "meet_first 2 radius (places n)"),
+    ("PinnedThreeBalls", "u' o c i y lam'", "u' o i c y lam'"),
+    ("PinnedThreeBalls", "0 < kap /\\", "kap < 0 /\\"),
+    ("PinnedThreeBalls", "(1 + mass o / mass c)", "(1 + mass c / mass o)"),
     ("PinnedSpectrum", "0 < im /\\", "0 <= im /\\"),
     ("PinnedSpectrum", "re ^ 2 + im ^ 2 < 1 /\\", "re ^ 2 + im ^ 2 <= 1 /\\"),
     ("PinnedSpectrum", "eigenvector r mu nu u v) <->", "eigenvector r mu nu u v) ->"),
@@ -438,6 +587,7 @@ def test_the_pages_say_the_whole_theorems() -> None:
         assert not re.search(r"^(Notation|Infix|Axiom|Parameter|Hypothesis)", text, re.MULTILINE)
         assert re.findall(r"^From Verify Require Import (.*)\.$", text, re.MULTILINE) in (
             ["Pinned"], ["Pinned PinnedClassification"],
+            ["Pinned PinnedClassification PinnedLine"],
         )  # fmt: skip
 
 

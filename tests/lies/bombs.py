@@ -191,6 +191,32 @@ def doubled(levels: int, op: str = "add") -> Pair:
     return pair.row("a", ["<", "0", f"t{levels}"], INTERVAL)
 
 
+def lettered(letter: str, tex: str) -> Pair:
+    """A statement of one constant with this letter, which stands 190 times in a deep term."""
+    pair = Pair()
+    constant = {"name": "k", "label": "", "letter": letter, "tex": tex, "term": "1/2"}
+    pair.statement["constants"] = [constant]
+    pair.steps.append({"constant": "k", "proof": INTERVAL})
+    pair.statement["terms"] = {"t0": "k"} | {
+        f"t{i}": ["add", f"t{i - 1}", "k"] for i in range(1, 191)
+    }
+    return pair.row("a", ["<", "0", "t190"], INTERVAL)
+
+
+def nested_powers(levels: int) -> str:
+    """A family of scenes one of whose numbers is a power of a power of a power."""
+    term = "a"
+    for _ in range(levels):
+        term = f"(1 + {term})**20"
+    return f"""r = "0.3"
+positions = [[0, 0], ["2 + {term}", "b"], [-3, "0.2"]]
+velocities = [[0, 0], [-1, 0], [1, 0]]
+[parameters]
+a = "0..0.1"
+b = "0..0.3"
+"""
+
+
 def drawn(seed: int) -> str:
     """A page of at most some kilobytes that nests, repeats and shares at random."""
     draw = random.Random(seed)

@@ -13,7 +13,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.lies.bombs import PAGES, doubled, drawn
+from tests.check.support import Pair
+from tests.lies.bombs import PAGES, doubled, drawn, lettered, nested_powers
 
 SECONDS, MEMORY = 10, 500 << 20
 #: What the search may take of that.
@@ -63,13 +64,15 @@ def test_pages_that_are_drawn(seed: int, tmp_path: Path) -> None:
     answer("prove", path, "--time", TIME)
 
 
+def write(pair: Pair, folder: Path) -> None:
+    for name, data in zip(("statement.json", "certificate.json"), pair.files(), strict=True):
+        (folder / name).write_bytes(data)
+
+
 @pytest.mark.parametrize("op", ["add", "mul", "min", "div"])
 def test_writers_of_shared_terms(op: str, tmp_path: Path) -> None:
     """A term of 2^40 operations in 40 lines, in each form in which a statement is shown."""
-    for name, data in zip(
-        ("statement.json", "certificate.json"), doubled(40, op).files(), strict=True
-    ):
-        (tmp_path / name).write_bytes(data)
+    write(doubled(40, op), tmp_path)
     for words in (
         ["check"],
         ["check", "--json"],
@@ -79,10 +82,45 @@ def test_writers_of_shared_terms(op: str, tmp_path: Path) -> None:
     ):
         assert answer(*words, tmp_path)[0] == 0
     assert answer("explain", tmp_path, "a")[0] == 0
-    assert answer("graph", tmp_path, "--out", tmp_path / "a.dot")[0] in (0, 2)
     assert answer("export", "text", tmp_path)[0] == 2
     assert answer("export", "coq", "--readable", tmp_path)[0] == 2
     statement = tmp_path / "statement.json"
     assert answer("prove", statement, "--time", TIME)[0] in (0, 3)
     assert answer("prove", statement, "--json", "--time", TIME)[0] in (0, 3)
     assert answer("prove", statement, "--out", tmp_path / "out", "--time", TIME)[0] in (0, 3)
+
+
+@pytest.mark.parametrize(
+    ("letter", "tex"), [("x" * 50_000, "k"), ("k", r"\alpha" * 10_000), ("k", "k")]
+)
+def test_writers_of_long_letters_and_deep_terms(letter: str, tex: str, tmp_path: Path) -> None:
+    """A letter is as long as a file likes, and stands in a term as deep as the checker reads."""
+    write(lettered(letter, tex), tmp_path)
+    for words in (
+        ["check", "-v"],
+        ["check", "--json"],
+        ["check", "--latex", "--full"],
+        ["check", "--markdown"],
+    ):
+        assert answer(*words, tmp_path)[0] == 0
+    assert answer("explain", tmp_path, "a")[0] == 0
+    assert answer("explain", "-v", tmp_path, "a")[0] == 0
+
+
+def test_a_map_of_nested_powers(tmp_path: Path) -> None:
+    """Powers are products in a log: written out, 14 levels of them are 10^18 operations."""
+    path = tmp_path / "family.toml"
+    path.write_text(nested_powers(14))
+    code, _, err = answer("map", path, "--x", "a", "--y", "b", "--boxes", "20")
+    assert (code, "operations" in err) == (2, True)
+
+
+def test_half_an_escaped_letter(tmp_path: Path) -> None:
+    """What no file can have in UTF-8 is refused before anything is proved of it."""
+    pair = doubled(1)
+    pair.statement["title"] = "half of it: \ud800"
+    write(pair, tmp_path)
+    assert answer("prove", tmp_path / "statement.json")[0] == 2
+    pair.statement["title"] = "all of it: \U0001d4d0"
+    write(pair, tmp_path)
+    assert answer("prove", tmp_path / "statement.json")[0] == 0

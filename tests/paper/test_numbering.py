@@ -12,6 +12,8 @@ from verify.views.plots.letters import letters_drawing
 
 PREFIXES = "EQUAT|THEOR|PROPO|SECTION|SECT|SSECT|SSSCT|DEFIN|LEMME|REMAR|APPEN"
 LABEL = re.compile(rf'"((?:{PREFIXES})S?[^" {{}}]{{6,}})"')
+#: The same in the text of a page.
+IN_TEXT = re.compile(rf"\blabel\s+((?:{PREFIXES})[^\s;]{{6,}}?)(?=;|'''|\n)")
 ROOMS = ("paper", "spheres", "views")
 
 
@@ -23,7 +25,7 @@ def test_every_label_in_the_code_is_one_of_the_paper() -> None:
         for path in (root / room).rglob("*")
         if path.suffix in (".py", ".toml")
     )
-    labels = {label for text in texts for label in LABEL.findall(text)}
+    labels = {label for text in texts for kind in (LABEL, IN_TEXT) for label in kind.findall(text)}
     assert len(labels) > 50
     assert labels <= set(printed_numbers())
 

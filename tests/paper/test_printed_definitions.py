@@ -106,9 +106,7 @@ def test_a_definition_at_another_label_is_noticed() -> None:
 def test_theorem1_says_nothing_of_theorem_1_with_another_definition(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    with changed_page(
-        tmp_path, ('C_eta = { value = "1 - delta_3"', 'C_eta = { value = "1 - delta_3/2"')
-    ):
+    with changed_page(tmp_path, ("C_eta: 1 - delta_3;", "C_eta: 1 - delta_3/2;")):
         code = main(["theorem1", "--r", "0.03"])
     assert code == 5
     printed, complaint = capsys.readouterr()

@@ -166,31 +166,26 @@ def repaired(*names: str) -> set[str]:
 HYPOTHESIS = {"hypotheses.angle-as-printed"}
 #: The entries of the repaired minima that take the place of a sum, and what the paper prints.
 ZETA = (
-    """  "h_4*delta_x/16",
-  "delta_2/4*(h_4*delta_x)",
-  "V_0/V_1/16*(h_4*delta_x)",
-""",
-    '  "(1 + 4*delta_2 + V_0/V_1)/16*h_4*delta_x",\n',
+    "h_4*delta_x/16, delta_2/4*(h_4*delta_x), V_0/V_1/16*(h_4*delta_x)]",
+    "(1 + 4*delta_2 + V_0/V_1)/16*h_4*delta_x]",
 )
 ETA = (
-    """  "V_0/speed/(12*alpha_0)*(h_4*delta_x)",
-  "V_0/speed*(delta_2/6)*(h_4*delta_x)",
-  "V_0/speed/24*(h_4*delta_x)",
-""",
-    '  "V_0/speed*(2/(15*alpha_0) + h_4*delta_2/6 + h_4/(12*alpha_0) + h_4/24)*delta_x",\n',
+    """V_0/speed/(12*alpha_0)*(h_4*delta_x), V_0/speed*(delta_2/6)*(h_4*delta_x),
+    V_0/speed/24*(h_4*delta_x)]""",
+    "V_0/speed*(2/(15*alpha_0) + h_4*delta_2/6 + h_4/(12*alpha_0) + h_4/24)*delta_x]",
 )
 D = (
-    '  "delta_2/2*(h_4*delta_x)",\n  "h_4*delta_x/8",\n',
-    '  "(1 + delta_2*h_4)*delta_x/5",\n  "(1 + 2*delta_2)/4*h_4*delta_x",\n',
+    "delta_2/2*(h_4*delta_x), h_4*delta_x/8]",
+    "(1 + delta_2*h_4)*delta_x/5, (1 + 2*delta_2)/4*h_4*delta_x]",
 )
 
 
 def without(*rows: str) -> list[tuple[str, str]]:
     """The changes that take away rows about entries which a minimum has no longer."""
     return [
-        (line, "")
-        for line in Path(theorem1.PAGE).read_text(encoding="utf-8").splitlines(keepends=True)
-        if line.startswith(tuple(f'"repaired.{row}"' for row in rows))
+        (line.removesuffix("'''"), "")
+        for line in Path(theorem1.PAGE).read_text(encoding="utf-8").splitlines()
+        if line.startswith(tuple(f"repaired.{row}:" for row in rows))
     ]
 
 

@@ -23,14 +23,14 @@ def line(capsys: pytest.CaptureFixture[str], *words: str) -> str:
     """The sentence that a command prints on what is believed."""
     assert main([*words]) == 0
     out = " ".join(capsys.readouterr().out.split())
-    return "Rests on " + out.partition("Rests on ")[2].partition(" The sentences:")[0]
+    return "Uses " + out.partition("Uses ")[2].partition(" The sentences:")[0]
 
 
 def test_coq_has_proved_all_but_the_definition_of_the_step(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     expected = (
-        "Rests on 9 sentences. Believed: hard-spheres (definition). Proved in Coq: "
+        "Uses 9 assumptions. Believed: hard-spheres (definition). Proved in Coq: "
         "cauchy-schwarz, bounded-monotone, finite-length, open-condition, glue-next, "
         "glue-collapse, glue-angle, glue-interior."
     )
@@ -40,7 +40,7 @@ def test_coq_has_proved_all_but_the_definition_of_the_step(
 
 def test_what_coq_has_not_proved_is_believed(capsys: pytest.CaptureFixture[str]) -> None:
     found = line(capsys, "classification")
-    assert found.startswith("Rests on 14 sentences. Believed: ")
+    assert found.startswith("Uses 14 assumptions. Believed: ")
     believed, _, proved = found.partition(" Proved in Coq: ")
     assert proved == f"{OF_CLASSIFICATION}."
     assert believed.endswith("glue-second.")
@@ -53,7 +53,7 @@ def test_what_coq_proves_of_a_cited_theorem_needs_none_of_its_sentences(
     found = line(capsys, "spectrum")
     believed, _, proved = found.partition(" Proved in Coq: ")
     assert believed == (
-        "Rests on 14 sentences. Believed: collision-law (definition), linear-model (definition), "
+        "Uses 14 assumptions. Believed: collision-law (definition), linear-model (definition), "
         "hard-spheres (definition), alternating-run (definition)."
     )
     assert proved.endswith("no-triangular-collapse, what is used of classification.")
@@ -71,8 +71,8 @@ def test_the_first_screen_says_that_coq_refutes_the_printed_sign(
 ) -> None:
     for words in (["--r", "0.03"], ["--all"]):
         main(["theorem1", *words])
-        first = " ".join(capsys.readouterr().out.split()).partition("Its set as printed")[0]
-        assert first.endswith(" in (4.10): refuted (Coq), certificates/printed-sign ")
+        first = " ".join(capsys.readouterr().out.split()).partition("With >")[0]
+        assert first.endswith(" As printed, with <: refuted (Coq), certificates/printed-sign ")
 
 
 def test_the_table_of_the_pages_says_the_same() -> None:

@@ -57,7 +57,9 @@ def trees(text: str) -> list[Any]:
 
 
 def name_of(token: str) -> str:
-    return token.removeprefix("|")
+    """A name without its bars, except where it would be no name."""
+    plain = token.removeprefix("|")
+    return token if plain[:1] in set('0123456789":#') else plain
 
 
 def evaluate(tree: Any, scope: dict[str, Any]) -> Any:
@@ -141,9 +143,10 @@ class Session:
         names, asserted = self.stack[-1]
         if head in ("declare-const", "declare-fun"):
             names[name_of(rest[0])] = None
-        elif head == "define-fun":
-            parameters = [name_of(name) for name, _ in rest[1]]
-            names[name_of(rest[0])] = (parameters, rest[3], self.scope(), len(parameters))
+        elif head in ("define-const", "define-fun"):
+            pairs = rest[1] if head == "define-fun" else []
+            parameters = [name_of(name) for name, _ in pairs]
+            names[name_of(rest[0])] = (parameters, rest[-1], self.scope(), len(parameters))
         elif head == "assert":
             body = rest[0]
             if isinstance(body, list) and body[0] == "!":
@@ -152,10 +155,10 @@ class Session:
             asserted.append((body, self.scope()))
         elif head == "push":
             names, asserted = self.stack[-1]
-            for _ in range(int(rest[0])):
+            for _ in range(int(rest[0]) if rest else 1):
                 self.stack.append((dict(names), list(asserted)))
         elif head == "pop":
-            del self.stack[len(self.stack) - int(rest[0]) :]
+            del self.stack[len(self.stack) - (int(rest[0]) if rest else 1) :]
         elif head in ("reset-assertions", "reset"):
             self.stack = [({}, [])]
         elif head == "check-sat":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from random import Random
 
 REAL, BOOL = "Real", "Bool"
@@ -20,7 +21,10 @@ NAMES = (
         "|a b|",
     ),
     *("|x'|", "|a(b|", "|;|", "|x y|", "|v-_20_|", "PI", "-x", ".x", "a%b"),
+    *("|1|", "|0.5|", '|"s"|', "|:named|", "||", "|a\nb|", "|λ|", "/3", "e1", "push", "assert"),
 )
+#: What may stand wherever a space does.
+SPACES = ("\t", "  ", "\r\n", " ; ) (assert false)\n", ' ;"\n', " ; |\n", "\n;λ (pop 1)\n")
 
 
 class Draw:
@@ -80,9 +84,10 @@ class Draw:
         return self.fpcore and self.chance(0.1)
 
     def term(self, known: dict[str, tuple[tuple[str, ...], str]], depth: int) -> str:
-        names = self.names(known, REAL)
+        names, rare = self.names(known, REAL), not self.fpcore and self.chance(0.1)
         if depth <= 0 or self.chance(0.25):
             number = self.one("0", "1", "2", "3.5", "0.25", "(- 1)", "(/ 1 3)", "(- (/ 2 5))", "10")
+            number = self.one("1.50", "0.0", "2.000", "(/ 3 2 4)", "(+ 1)") if rare else number
             return self.written(self.random.choice(names)) if names and self.chance(0.7) else number
         op = self.one(
             "+", "-", "*", "-1", "/", *([] if self.fpcore else ["^"]), "min", "max", "abs"
@@ -116,13 +121,13 @@ class Draw:
             return self.written(self.random.choice(names))
         if depth <= 0 or self.chance(0.35):
             op = self.one("<", "<=", self.equal, ">=", ">", *([] if self.fpcore else ["distinct"]))
-            count = self.random.choice((2, 2, 2, 3))
+            count = self.random.choice((2, 2, 2, 3, 4))
             return f"({op} {' '.join(self.term(known, min(depth, 2)) for _ in range(count))})"
         op = self.one("not", "and", "or", "=>", "xor", "=", "distinct", "true")
         if op == "true":
             return self.one("true", "false")
-        least = 1 if op == "not" else 2
-        most = least if op in ("not", "distinct") else 3
+        least = 1 if op in ("not", "and", "or") else 2
+        most = least if op in ("not", "distinct") else 4 if self.chance(0.1) else 3
         parts = [self.of(BOOL, known, depth - 1) for _ in range(self.random.randint(least, most))]
         return f"({op} {' '.join(parts)})"
 
@@ -143,7 +148,17 @@ class Draw:
         if self.chance(0.1):
             lines += ["(exit)", "(assert false)", "(check-sat)"]
         space = self.one("\n", " ", "\n; (assert false)\n", "\r\n")
-        return space.join(lines)
+        return self.spaced(space.join(lines))
+
+    def spaced(self, text: str) -> str:
+        """The same text, with comments and line ends in place of some of its spaces."""
+        parts = re.split(r"""(\|[^|]*\||"(?:[^"]|"")*"|;[^\n]*\n)""", text)
+        for i in range(0, len(parts), 2):
+            words = re.split("( )", parts[i])
+            parts[i] = "".join(
+                self.one(*SPACES) if word == " " and self.chance(0.03) else word for word in words
+            )
+        return "".join(parts)
 
     def command(self) -> list[str]:
         kind = self.random.random()
@@ -157,14 +172,16 @@ class Draw:
         if kind < 0.75:
             count = self.random.randint(0, 2)
             self.scopes += [{} for _ in range(count)]
-            return [f"(push {count})"]
+            return ["(push)" if count == 1 and self.chance(0.5) else f"(push {count})"]
         if kind < 0.85 and len(self.scopes) > 1:
             count = self.random.randint(1, len(self.scopes) - 1)
             del self.scopes[len(self.scopes) - count :]
-            return [f"(pop {count})"]
+            return ["(pop)" if count == 1 and self.chance(0.5) else f"(pop {count})"]
         if kind < 0.87:
             self.scopes = [{}]
             return [self.one("(reset-assertions)", "(reset)", "(reset)")]
+        if kind > 0.98:
+            return ["(get-value (x))", '(echo "(pop 1) "" |")']
         return ["(check-sat)"] if kind < 0.95 else ['(set-info :notes "a ""b"" (assert false) ;")']
 
     def declare(self, name: str) -> str:
@@ -181,6 +198,8 @@ class Draw:
         sort = self.one(REAL, BOOL)
         body = self.of(sort, inner, 2)
         self.scopes[-1][name] = (tuple(kinds), sort)
+        if not names and self.chance(0.3):
+            return f"(define-const {self.written(name)} {sort} {body})"
         pairs = zip(names, kinds, strict=True)
         parameters = " ".join(f"({self.written(n)} {kind})" for n, kind in pairs)
         return f"(define-fun {self.written(name)} ({parameters}) {sort} {body})"

@@ -51,6 +51,13 @@ false = { claim = "x <= 1/4", false_at = "x = 1/2, y = 1/4, z = 1" }
 never = { claim = "x < 0", verdict = "refuted", by = "x-positive" }
 searched = { claim = "y <= 3/4" }
 """
+#: A state whose values are terms of its context, used in another one.
+AWAY = """given = { t-small = "t <= 1/2" }
+states = { half = "t = t/2" }
+
+[[chapters]]
+in = "box"
+rows = { away = { LINE } }"""
 ROWS = {
     **dict.fromkeys(("before", "number", "both", "part", "below", "searched"), PROVED),
     **dict.fromkeys(("false", "never"), REFUTED),
@@ -153,11 +160,104 @@ def test_a_lemma_that_is_not_shown_leaves_the_page_undecided() -> None:
         ('z = 1"', 'z = 1", by = "x-small"'),
         ('given = { t-small = "t <= 1/2" }', 'given = { t-small = "t <= 1/2" }\nby = "none"'),
         ('before = "x <= 1"', 'before = { claim = "x <= 1", by = "half" }'),
+        # numbers and signs in products
+        ('by = "before x-positive"', 'by = "goal + 1/0"'),
+        ('by = "before x-positive"', 'by = "goal + before^0"'),
+        ('by = "before x-positive"', 'by = "goal + before^1000"'),
+        ('by = "before x-positive"', 'by = "goal - before"'),
+        ('by = "before x-positive"', 'by = "goal + (-1)*before"'),
+        # a fact where an equation has to be, what was refuted, a list where there is no minimum
+        ('by = "before x-positive"', 'using = "before"'),
+        ('by = "before x-positive"', 'plus = { before = "x" }'),
+        ('claim = "y <= 3/4"', 'claim = "y <= 3/4", by = "never"'),
+        ('claim = "y <= 3/4"', 'claim = "y <= 3/4", by = "false"'),
+        ('by = "before x-positive"', 'by = ["before", "x-positive"]'),
+        ('claim = "y <= 3/4"', 'claim = "0 <= min(x, y)", by = ["x-positive"]'),
+        ('claim = "y <= 3/4"', 'claim = "0 <= min(x, y)", by = ["x-positive", "", ""]'),
+        (
+            'claim = "y <= 3/4"',
+            'claim = "min(x, y) <= 1", rule = "cases", of = "min(x, y)", by = ["goal"]',
+        ),
+        # values and facts that are missing, or too many
+        ('claim = "y <= 3/4"', 'instance = "half", by = ""'),
+        ('claim = "y <= 3/4"', 'instance = "half", at = "x = 1, y = 1, z = 1"'),
+        ('claim = "y <= 3/4"', 'instance = "k", at = "x = 1, y = 1, z = 1", by = ""'),
+        ('claim = "y <= 3/4"', 'applies = "other"'),
+        ('claim = "y <= 3/4"', 'applies = "other", at = "t = x", by = ""'),
+        ('claim = "y <= 3/4"', 'applies = "other", at = "t = x", by = "x-small x-positive"'),
+        ('claim = "y <= 3/4"', 'always = "other", start = "t = 0"'),
+        ('claim = "y <= 3/4"', 'always = "box", start = "point", next = "point"'),
+        (
+            'given = { t-small = "t <= 1/2" }',
+            'given = { t-small = "t <= 1/2" }\npoint = { t = 0 }\nby = "before number"',
+        ),
+        # names of another context, which come with a state
+        ('given = { t-small = "t <= 1/2" }', AWAY.replace("LINE", 'claim = "t-small at half"')),
+        ('given = { t-small = "t <= 1/2" }', AWAY.replace("LINE", 'claim = "1 < 2", at = "half"')),
+        (
+            'given = { t-small = "t <= 1/2" }',
+            AWAY.replace("LINE", 'claim = "t <= 0", in = "other", false_at = "half"'),
+        ),
+        (
+            'given = { t-small = "t <= 1/2" }',
+            AWAY.replace("LINE", 'applies = "other", at = "half"'),
+        ),
+        (
+            'given = { t-small = "t <= 1/2" }',
+            AWAY.replace("LINE", 'always = "other", start = "half", next = "half", in = ""'),
+        ),
     ],
 )
 def test_what_cannot_be_meant_is_refused(old: str, new: str) -> None:
     with pytest.raises(InputError, match=r"p\.toml, line"):
         read_page("p.toml", changed(old, new).encode())
+
+
+def test_an_instance_has_the_constants_of_its_values() -> None:
+    lines = """
+small = { lemma = "k <= 1", by = "z-positive k" }
+there = { lemma = "0 < x + z", by = "goal + x-positive + z-positive" }
+at-sum = { instance = "small", at = "x = x, y = y, z = x + z", by = "BY" }
+then = { claim = "1/(1 + x + z) <= 1", by = "at-sum" }
+"""
+    facts = "x-small x-positive y-small y-positive there"
+    assert verdicts(PAGE + lines.replace("BY", facts))["then"] == PROVED
+    swapped = "x-small x-positive y-positive y-small there"
+    assert verdicts(PAGE + lines.replace("BY", swapped))["then"] == UNDECIDED
+
+
+@pytest.mark.parametrize("value", ["1/(x - 1/4)", "sqrt(x - 1/4)", "log(0*x)"])
+def test_a_constant_without_a_value_is_left_out_with_what_uses_it(value: str) -> None:
+    text = changed('k = "1/(1 + z)"', f'k = "1/(1 + z)", m = "{value}"')
+    text += 'uses-m = { claim = "m <= 5" }\nafter = { claim = "y <= 2", by = "half" }\n'
+    found = decided(text)
+    assert found.spent == "m was not seen to have a value"
+    assert {row.name: one.verdict for row, one in found.rows} == {
+        **ROWS,
+        "uses-m": UNDECIDED,
+        "after": PROVED,
+    }
+    bare = '\n[rows]\nhigh = "x <= 1"\n'
+    undecided = decided(text.partition("\n[rows]")[0] + bare)
+    assert undecided.decisions["high"].reason == "m was not seen to have a value"
+
+
+def test_what_a_line_tried_in_vain_is_forgotten() -> None:
+    """A name of a lemma was taken by a line that was left out: exit code 5."""
+    text = """
+title = "t"
+[let]
+c = 2
+[contexts.other]
+variables = "z"
+constants = { w = "c/(1 + c^2)" }
+given = { low = "-1 <= z", high = "z < 1" }
+[[chapters]]
+[chapters.rows]
+in-vain = { claim = "1 > c", false_at = "z = 1", in = "other" }
+"""
+    found = decided(text)
+    assert (found.verdict, found.spent) == (UNDECIDED, "")
 
 
 NESTED = """

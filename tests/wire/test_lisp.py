@@ -148,6 +148,15 @@ def test_operations(text: str, claim: Claim) -> None:
         ("(assert (< (< 1 2) 3))", "'<' is a formula, where a number is meant"),
         ("(forall x)", "the command 'forall' cannot be used"),
         ("(declare-const e1 Real)(assert (< 0 1e1))", "or followed by the name e1; choose another"),
+        ("(declare-const /3 Real)(assert (< 0 1/3))", "or followed by the name /3; choose another"),
+        ("(declare-const .e5 Real)(assert (< 0 1.e5))", "or followed by the name .e5; choose"),
+        ("(declare-const . Real)(assert (< 0 -1.))", "or followed by the name .; choose another"),
+        ("(define-fun |1| ((a Real)) Real a)(assert (< (1 5) 9))", "the operation '1' cannot be"),
+        ("(push |1|)", "this push cannot be used"),
+        ("(assert (! true |:named| n))", "an annotation cannot be used here"),
+        ("(assert (|!| true :named n))", "the operation '!' cannot be used"),
+        ("(|exit|)", "the command 'exit' cannot be used"),
+        ("(exit 3)", "this exit cannot be used; write (exit)"),
         ("(assert (not))", "line 1: 'not' stands alone"),
         ("(assert (not true true))", "line 1: 'not' of 2 parts is no formula"),
         ("(assert (=> true))", "line 1: '=>' of 1 parts is no formula"),
@@ -222,3 +231,13 @@ def test_signs_of_other_languages(
 ) -> None:
     assert run(tmp_path, "a.smt2", f"(declare-const x Real)(assert {claim})(check-sat)") == 2
     assert says in capsys.readouterr().err
+
+
+def test_a_number_of_fpcore_is_one_word() -> None:
+    """FPCore has no words side by side: an input may be called like the end of a number."""
+    statement = read_fpcore(
+        "f.fpcore", b"(FPCore (e1 /3) :pre (and (<= 0 e1 1e1) (<= 0 /3 1/3)) e1)"
+    )
+    ten, third = as_term(10), as_term(Fraction(1, 3))
+    sides = [given.claim.rhs for given in statement.contexts[0].givens]
+    assert {ten, third} <= {*sides}

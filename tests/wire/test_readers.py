@@ -62,7 +62,7 @@ class Reading:
 
     def values(self, asked: Asked, at: At) -> At:
         """Values by the names of the statement."""
-        known = {self.file.names[name]: value for name, value in at.items()}
+        known = {self.file.names[name.removeprefix("|")]: value for name, value in at.items()}
         names = [variable.name for variable in asked.variables]
         return {name: known[name.removeprefix(f"{asked.context}.")] for name in names}
 
@@ -163,6 +163,8 @@ def model_of(tree: list[object]) -> At:
     """The rational numbers in a model."""
     found = {}
     for part in tree:
+        if isinstance(part, list) and part[1:3] == [[], "Real"]:
+            part.insert(1, "|")  # Z3 prints nothing for the name of no letters
         if isinstance(part, list) and part[:1] == ["define-fun"] and part[2:4] == [[], "Real"]:
             try:
                 found[naive.name_of(part[1])] = Fraction(naive.evaluate(part[4], {}))

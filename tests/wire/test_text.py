@@ -390,7 +390,11 @@ def test_an_induction() -> None:
         ('"1 + sqrt(2)"', '"\\frac{1}{2}"', "TeX is not read, write for example (a/b)*sqrt(x)"),
         ('"1 + sqrt(2)"', '"4!"', "cannot read '!'; write prod(k, k, 1, 5) for 5!"),
         ('"1 + sqrt(2)"', '"log10(2)"', "'log10' is no function; write log(x)/log(10)"),
-        ('"1 + sqrt(2)"', '"1"\nb = "2"', "a name stands there twice, choose another"),
+        (
+            '"1 + sqrt(2)"',
+            '"1"\nb = "2"',
+            "a name stands there twice",
+        ),
         ("[rows]", "[constants]\n[rows]", "a table stands there twice, write its lines together"),
         ('"y < d"', '"y < dd"', "line 23: rows.smaller: 'dd' is not defined here; did you mean d?"),
         ('"y < d"', '"y"', "line 23: rows.smaller: 'y' claims nothing; write for example y > 0"),
@@ -416,7 +420,7 @@ def test_an_induction() -> None:
         ('"2 < b < 3"', '{ applies = "low", at = {} }', "'x' has no value; write values of x"),
         ("[constants]", "[cites]\nm = 'mean'\n[constants]", "no statement of the theorem 'mean'"),
         ('"0 < d"', '"' + "(" * 3000 + 'd"', "nests too deeply"),
-        ("[rows]", "[rows", "is no TOML file"),
+        ("[rows]", "[rows", "is not valid TOML"),
     ],
 )
 def test_what_is_said_of_a_mistake(old: str, new: str, says: str) -> None:

@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Sequence
 from contextlib import suppress
-from errno import EBADF
+from errno import EAGAIN, EBADF, EMFILE, ENFILE, ENOMEM
 from importlib import import_module
 from io import TextIOWrapper
 
@@ -29,6 +29,7 @@ COMMANDS = {
     "prove": "decide a statement of your own, with a certificate",
     "explain": "print a row with the facts and the identity that prove it",
     "check": "check a certificate, and that its statement is the right one",
+    "example": "list the examples that come with the program, or copy one",
     "export": "write a certificate for Coq, or its statement as a page",
     "bench": "measure speed against error",
     "stress": "run the numerically hard cases",
@@ -70,8 +71,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return PIPE_CLOSED
     except OSError as error:
         _silence_stdout()
+        if _is_lack(error):
+            what = f"the system allows no more files, processes or memory ({error.strerror})"
+            return _fail(f"{what}; write a smaller --jobs, or raise its limits", OWN_ERROR)
         return _fail(f"stdout cannot be written ({error.strerror})", USAGE_ERROR)
     return code
+
+
+def _is_lack(error: OSError) -> bool:
+    """Whether the system has refused a file or a process; a full pipe says how much it took."""
+    lacks = (EMFILE, ENFILE, ENOMEM, EAGAIN)
+    return error.errno in lacks and not hasattr(error, "characters_written")
 
 
 def _fail(message: str, code: int) -> int:
@@ -83,7 +93,7 @@ def _fail(message: str, code: int) -> int:
 
 def _silence_stdout() -> None:
     """What is still in the buffer goes nowhere, so that the end of Python is quiet."""
-    if sys.stdout is not None:
+    with suppress(OSError, AttributeError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 

@@ -17,6 +17,7 @@ from verify.cli.steps import watched
 from verify.cli.terminal import show
 from verify.language.record import Record
 from verify.wire.inputs import InputError, shown
+from verify.wire.packaged import PACKAGED, PACKAGED_FILES, cited_digests, packaged_files
 
 FORMAT = "verify-check/1"
 
@@ -130,14 +131,15 @@ def _print_report(found: Sequence[CheckedFolder], *, latex: bool, full: bool) ->
 def folders_at(paths: Sequence[str]) -> list[check.Folder]:
     """What is to be checked; each file is read once, here.
 
-    A folder without files of a certificate stands for the certificates in the folders below it.
+    A folder without files of a certificate stands for the certificates in the folders below it; a
+    name that is no path, for the certificate with this name that comes with the program.
 
     Raises:
         InputError: for a path that is missing, or no certificate and without one below it.
     """
     pair = len(paths) == 2 and not any(map(os.path.isdir, paths))
     if not pair:
-        paths = [folder for path in paths for folder in _below(path)]
+        paths = [folder for name in paths for path in _packaged(name) for folder in _below(path)]
     for path in paths:
         if not pair and not os.path.isdir(path):
             what = "is a file" if os.path.exists(path) else "does not exist"
@@ -156,6 +158,15 @@ def folders_at(paths: Sequence[str]) -> list[check.Folder]:
         raise InputError(
             f"path: {shown(paths[0])} cannot be read ({reason}); name a folder"
         ) from error
+
+
+def _packaged(path: str) -> list[str]:
+    """The path; or, where nothing lies there, what comes with the program, and what that cites."""
+    if path not in PACKAGED_FILES or os.path.lexists(path):
+        return [path]
+    names = {files["statement.json"]: name for name, files in PACKAGED_FILES.items()}
+    cited = [names[digest] for digest in cited_digests(packaged_files(path)[0])]
+    return [os.path.join(PACKAGED, path), *(found for name in cited for found in _packaged(name))]
 
 
 def _below(path: str) -> list[str]:

@@ -65,7 +65,7 @@ def run(options: Options) -> int:
     """Print what is known of the row, or which rows a label has; return 0."""
     *folders, word = options.row
     if len(folders) > 1:
-        raise InputError(f"row: {shown(word)} is a word too many; write FOLDER ROW, or ROW")
+        raise InputError(f"row: unexpected argument {shown(word)}; write FOLDER ROW, or ROW")
     word, parameters = _label(word), _parameters(options)
     if parameters and folders:
         raise InputError(f"row: leave out {shown(folders[0])} with --r; write --r R ROW")

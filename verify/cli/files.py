@@ -28,6 +28,10 @@ MAX_BYTES = 1 << 22
 #: Of all files in a folder `cited`.
 MAX_CITED = 8 * MAX_BYTES
 
+#: What comes with the program: pages and scenes, and certificates.
+DATA = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data")
+EXAMPLES = os.path.join(DATA, "examples")
+
 #: A folder for files of these names is a certificate's: it is written, and replaced, as a whole.
 CERTIFICATE = {"statement.json", "certificate.json"}
 
@@ -347,6 +351,13 @@ def read_bytes(option: str, path: str) -> bytes:
         raise InputError(
             f"{option}: {shown(path)} cannot be read ({_reason(error)}); name a file"
         ) from error
+
+
+def example(path: str) -> str:
+    """The path; or, where nothing lies there, that of the example with this name, if there is."""
+    found = os.path.join(EXAMPLES, f"{path}.toml")
+    is_name = os.path.basename(path) == path and not os.path.lexists(path)
+    return found if is_name and os.path.isfile(found) else path
 
 
 def read_cited(option: str, folder: str) -> dict[str, bytes]:

@@ -125,7 +125,10 @@ def run(options: Options) -> int:
     try:
         check_map.plane_of(plane_document(plane))
     except check_map.LogError as error:
-        raise InputError(f"plane: the checker of maps cannot read it ({error})") from error
+        raise InputError(
+            f"plane: the checker of maps cannot read it ({error}); write shorter terms, with "
+            f"numbers of at most {check_map.MAX_DIGITS} digits"
+        ) from error
     progress = Progress(plane if delta is None else _strip(plane, delta))
     try:
         _grow(options, progress, Target(least, boxes, level), jobs)
@@ -220,21 +223,30 @@ def _grow(options: Options, progress: Progress, target: Target, jobs: int) -> No
                 os.makedirs(options.out, exist_ok=True)
                 file = stack.enter_context(open_log(os.path.join(options.out, LOG), progress))
             except OSError as error:
-                why = error.strerror or error
-                raise InputError(
-                    f"--out: {shown(options.out)} cannot be written ({why}); name a folder that can"
-                ) from error
+                raise _unwritable(options, error) from error
             times = _read_times(options.out, progress)
         resumed = progress.boxes
         staff = stack.enter_context(workers(jobs, options.dask))
         spent = times[-1].seconds if times else 0.0
-        for sample in grow(progress, target, staff, lambda line: write_line(file, line)):
+
+        def write(line: bytes) -> None:
+            try:
+                write_line(file, line)
+            except OSError as error:
+                raise _unwritable(options, error) from error
+
+        for sample in grow(progress, target, staff, write):
             times.append(sample._replace(seconds=round(spent + sample.seconds, 3)))
             _watch(sample)
         file.seek(0)
         _judge(progress, file, os.path.join(options.out, LOG) if resumed else None)
         if options.out is not None:
             _write(options, progress, times)
+
+
+def _unwritable(options: Options, error: OSError) -> InputError:
+    why = f"{shown(options.out)} cannot be written ({error.strerror or error})"
+    return InputError(f"--out: {why}; name a folder that can")
 
 
 def _judge(progress: Progress, file: BinaryIO, resumed: str | None) -> None:

@@ -102,7 +102,7 @@ class Parser:
         """What was chosen; None where help is asked for.
 
         Raises:
-            InputError: for an unknown, repeated or incomplete option, or a word too many.
+            InputError: for an unknown, repeated or incomplete option, or an unexpected argument.
         """
         found: dict[str, object] = {}
         loose: list[str] = []
@@ -136,7 +136,9 @@ class Parser:
         if key is None:
             known = {option.lstrip("-"): option for option in (*self.flags, *self.valued)}
             meant = known.get(near(name.lstrip("-"), known), "")
-            raise self._error(f"{shown(name)} is no option{meant and f' (did you mean {meant}?)'}")
+            raise self._error(
+                f"unknown option {shown(name)}{meant and f' (did you mean {meant}?)'}"
+            )
         if key in found:
             raise InputError(f"{shown(name)} is given more than once; write it once")
         return key
@@ -158,7 +160,7 @@ class Parser:
         if self._many and words:
             found[self._many] = words
         elif len(words) > len(self._places):
-            raise self._error(f"{shown(words[len(self._places)])} is a word too many")
+            raise self._error(f"unexpected argument {shown(words[len(self._places)])}")
         else:
             found.update(zip(self._places, words, strict=False))
 

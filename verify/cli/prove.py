@@ -9,7 +9,14 @@ import sys
 from hashlib import sha256
 
 from verify import check
-from verify.cli.files import print_document, read_bytes, read_cited, test_folder, write_certificate
+from verify.cli.files import (
+    example,
+    print_document,
+    read_bytes,
+    read_cited,
+    test_folder,
+    write_certificate,
+)
 from verify.cli.options import COLOR, JSON, Options, Usage
 from verify.cli.steps import Steps
 from verify.cli.terminal import show
@@ -42,6 +49,7 @@ USAGE = Usage(
 
 def run(options: Options) -> int:
     """Print a line for each row or the document, write the files, return the exit code."""
+    options.STATEMENT = example(options.STATEMENT)
     work = WORK if options.work is None else integer("--work", options.work, 1, 999_999_999)
     content, cited = read_bytes("STATEMENT", options.STATEMENT), _cited(options.STATEMENT)
     test_folder("--out", options.out, "statement.json", "certificate.json", "report.md")

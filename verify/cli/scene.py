@@ -7,7 +7,7 @@ import sys
 from collections.abc import Mapping
 from fractions import Fraction
 
-from verify.cli.files import print_document, read_bytes, test_folder, write_file
+from verify.cli.files import example, print_document, read_bytes, test_folder, write_file
 from verify.cli.options import CERTIFICATE, COLOR, JSON, Options, Usage
 from verify.cli.steps import MAX_JOBS
 from verify.cli.terminal import FIXED, show
@@ -65,6 +65,7 @@ def budget(options: Options) -> Budget:
 
 def run(options: Options) -> int:
     """Print the verdict, write what is asked for, return the exit code."""
+    options.scene = example(options.scene)
     limits, jobs = budget(options), integer("--jobs", options.jobs, 1, MAX_JOBS)
     if os.path.isdir(options.scene):
         from verify.cli.scene_folder import run_folder  # loaded only where it is used

@@ -86,7 +86,7 @@ def _point(options: Options) -> int:
 
     def text(outcome: Outcome) -> Iterable[str]:
         every = options.verbose and options.rows is None
-        return report_lines(outcome, PAPER) if every else screen(outcome, PAPER)
+        return (report_lines if every else screen)(outcome, PAPER, as_printed(outcome))
 
     claims.answer(outcome, options, whole, text, has_rows=True)
     return outcome.exit_code

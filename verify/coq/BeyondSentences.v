@@ -1,10 +1,11 @@
 (* What the other certificates take on trust, with what Coq proves instead, as in Sentences.v: which
-   collapses there are, balls on a line, the sign as printed, and the spectrum. *)
+   collapses there are, balls on a line, three balls of any masses, the sign as printed, and the spectrum. *)
 From Verify Require Import Theorem1.
 From Coq Require Import Reals List.
 Import ListNotations.
 From Verify Require Vectors Motion Runs Classification Contacts Settling Endless Turning ClassificationProof.
 From Verify Require Finite FiniteScenes Deadline ManyBalls Line LineProof PrintedSign PrintedSignProof.
+From Verify Require Meaning Balls AnyStep ThreeBalls ThreeBallsStep ThreeBallsMap ThreeBallsCollapse BallsFlowStep.
 From Verify Require Spectrum SpectrumMatrix SpectrumRoots SpectrumEigen SpectrumOrbits SpectrumSentences.
 Open Scope R_scope.
 Definition B1 : ball := Theorem1.B1.
@@ -112,6 +113,58 @@ Check (fun d mass r i j s s' => eq_refl : Line.parts d mass r i j s s' =
     rate d s' i j = - r * rate d s i j).
 Check (fun mass r o b => eq_refl : Line.share mass r o b = (1 + r) * mass b / (mass o + mass b)).
 Check (LineProof.line_theorem_holds : Line.line_theorem).
+
+(* --- three balls of any masses and radii --------------------------------------------------------- *)
+
+(* The propositions are spelled out in PinnedThreeBalls.v, with the map of two numbers. *)
+Check (fun d radius s i j t => eq_refl : Line.meets_next d radius s i j t =
+  (0 < t /\
+  (forall u a b, 0 < u < t -> a <> b -> radius a + radius b < distance d (Theorem1.later u s) a b) /\
+  distance d (Theorem1.later t s) i j = radius i + radius j /\ rate d (Theorem1.later t s) i j < 0 /\
+  (forall k, k <> i -> k <> j -> radius i + radius k < distance d (Theorem1.later t s) i k /\
+    radius j + radius k < distance d (Theorem1.later t s) j k))).
+Check (fun mass radius r o a c w G U_most C_0 Theta Q_0 U_0 => eq_refl :
+  ThreeBalls.goes_on mass radius r o a c w G U_most C_0 Theta Q_0 U_0 =
+  forall n, let b := if Nat.even n then c else a in let b' := if Nat.even n then a else c in
+    let alpha := (1 + r b) * mass b / (mass o + mass b) * ((radius o + radius b) / (radius o + radius b')) *
+      (C_0 - Theta) in
+    let rho := G * (w b' / w b) ^ 2 in
+    let p := ThreeBalls.orbit mass radius r o a c w G C_0 Theta Q_0 U_0 n in
+    let P := alpha * (1 - snd p) - fst p - rho * snd p in
+    0 < P /\ rho * snd p * (2 * fst p + rho * snd p) <= U_most * (2 - U_most) * P ^ 2).
+(* glue-next: a scene in units of the distances of contact, and the values v of a state. *)
+Check (fun d radius o m x i j => eq_refl : ThreeBallsStep.seen d radius o m x i j =
+  exists p q s c, to x o i = (fun k => (radius o + radius i) * p k) /\
+    relative x o i = (fun k => (radius o + radius i) * s k) /\
+    to x o j = (fun k => (radius o + radius j) * (1 + AnyStep.d m) * q k) /\
+    relative x o j = (fun k => (radius o + radius j) * c k) /\ AnyStep.products m d p q s c).
+Check (ThreeBallsStep.balls_step : forall v,
+  Meaning.scope Balls.the_statement ThreeBallsStep.state_context v -> forall radius o i j,
+  v Balls.number_of_sigma_s = radius o + radius i -> v Balls.number_of_sigma_c = radius o + radius j ->
+  v Balls.number_of_sigma_12 = radius i + radius j ->
+  AnyStep.certified_if (ThreeBallsStep.numbers_of v) (ThreeBallsStep.flight v)
+    (ThreeBallsStep.outer_of_balls radius o i j (ThreeBallsStep.numbers_of v))).
+Check (ThreeBallsStep.balls_meet : forall d radius, (forall b, 0 < radius b) -> forall o i j,
+  Classification.distinct_balls o i j -> forall m t,
+  AnyStep.certified_if m t (ThreeBallsStep.outer_of_balls radius o i j m) ->
+  forall x, ThreeBallsStep.seen d radius o m x i j -> Line.meets_next d radius x o j t).
+Check (ThreeBallsStep.balls_after : forall d mass radius r, (forall b, 0 < mass b) ->
+  (forall b, 0 < radius b) -> forall o i j, Classification.distinct_balls o i j -> forall m t,
+  AnyStep.certified_if m t (ThreeBallsStep.outer_of_balls radius o i j m) ->
+  forall x, ThreeBallsStep.seen d radius o m x i j ->
+  ThreeBallsStep.seen d radius o (AnyStep.after_sharing
+    ((1 + r) * mass j / (mass o + mass j) * ((radius o + radius j) / (radius o + radius i))) r m t)
+    (LineProof.bounced d mass r o j (Theorem1.later t x)) j i).
+Check (LineProof.bounced_parts : forall d mass r, (forall b, 0 < mass b) -> 0 < r ->
+  forall i j z, i <> j -> 0 < distance d z i j -> rate d z i j < 0 ->
+  Line.parts d mass r i j z (LineProof.bounced d mass r i j z)).
+Check (ThreeBallsStep.new_numbers : forall v, ThreeBallsStep.numbers_of (ThreeBallsStep.new v) =
+  AnyStep.after_sharing (v Balls.number_of_beta_c) (v Balls.number_of_r_c) (ThreeBallsStep.numbers_of v)
+    (ThreeBallsStep.flight v)).
+Check (ThreeBallsMap.stair_theorem_holds : ThreeBalls.stair_theorem).
+Check (ThreeBallsCollapse.three_balls_theorem_holds : ThreeBalls.three_balls_theorem).
+Check (ThreeBallsCollapse.three_equal_balls_holds : ThreeBalls.three_equal_balls).
+Check (BallsFlowStep.law_theorem_holds : ThreeBalls.law_theorem).
 
 (* --- the spectrum ----------------------------------------------------------------------------------- *)
 

@@ -357,6 +357,30 @@ Proof.
   unfold minus_cosine_at. fold (f x). rewrite X, Ua, Uc. field. split; lra.
 Qed.
 
+(* For equal balls of diameter 1 these collisions are those of Theorem1.v. *)
+Lemma equal_in_turn d r z t :
+  (forall n, let b := collides_with n in let u := t (S n) - t n in
+    meets_next d (fun _ => 1 / 2) (z n) B0 b u /\ parts d (fun _ => 1) r B0 b (later u (z n)) (z (S n))) ->
+  collides_in_turn d r z t.
+Proof.
+  intros I n. set (mass := fun _ : ball => 1) in *. set (radius := fun _ : ball => 1 / 2) in *. destruct (I n) as ((T1 & N & X & Y & O) & E). fold (collides_with n) in *. cbn zeta in *.
+  assert (U : forall a b : ball, radius a + radius b = 1) by (intros; unfold radius; lra).
+  rewrite U in X. split.
+  - split; [exact T1 | | exact X | exact Y |].
+    + intros u a b J1 J2. rewrite <- (U a b). now apply N.
+    + intros k K1 K2. destruct (O k K1 K2) as [V1 V2]. rewrite U in V1, V2. now split.
+  - destruct E as (J & _ & E & E1 & E2). set (j := collides_with n) in *.
+    set (y := later (t (Datatypes.S n) - t n) (z n)) in *.
+    assert (N1 : B0 <> j) by (apply not_eq_sym, partner_not_0).
+    assert (J1 : J = - ((1 + r) / 2 * rate d y B0 j)).
+    { unfold rate at 1 in E2. rewrite (same_places _ _ _ _ E), (own_velocity mass J B0 j y _ N1 (conj E E1)) in E2.
+      rewrite dot_linear_right in E2. pose proof (unit_square _ _ _ _ X) as U2. unfold square in U2. rewrite U2 in E2.
+      fold (rate d y B0 j) in E2. unfold mass in E2. lra. }
+    destruct (z (Datatypes.S n)) as [places speeds]. cbn [position velocity] in E, E1. unfold collided.
+    f_equal; [exact E|]. extensionality b. extensionality k. rewrite E1, J1. unfold mass.
+    destruct (same b B0); [field|]. destruct (same b j); [field | reflexivity].
+Qed.
+
 Theorem equal_on_a_line_holds : equal_on_a_line.
 Proof.
   intros d r s e away gap closing Q R L A G C K S F.
@@ -367,29 +391,10 @@ Proof.
   assert (H : forall b, share mass r B0 b = (1 + r) / 2) by (intros; unfold share, mass; field).
   destruct (line_theorem_holds d mass radius r s B0 B1 B2 e away gap closing Q M P (proj1 R) D L A G C) as
     (z & t & T & Z0 & T0 & I & LT & B & V & _).
-  { rewrite H. exact K. }
-  { exact S. }
+  { rewrite H. exact K. } { exact S. }
   { rewrite !H. replace ((1 + r) / 2 * ((1 + r) / 2) * Q * (1 - Q)) with (((1 + r) / 2) ^ 2 * Q * (1 - Q)) by ring. exact F. }
-  assert (W : collides_in_turn d r z t).
-  { intros n. destruct (I n) as ((T1 & N & X & Y & O) & E). fold (collides_with n) in *. cbn zeta in *.
-    assert (U : forall a b : ball, radius a + radius b = 1) by (intros; unfold radius; lra).
-    rewrite U in X. split.
-    - split; [exact T1 | | exact X | exact Y |].
-      + intros u a b J1 J2. rewrite <- (U a b). now apply N.
-      + intros k K1 K2. destruct (O k K1 K2) as [V1 V2]. rewrite U in V1, V2. now split.
-    - destruct E as (J & _ & E & E1 & E2). set (j := collides_with n) in *.
-      set (y := later (t (Datatypes.S n) - t n) (z n)) in *.
-      assert (N1 : B0 <> j) by (apply not_eq_sym, partner_not_0).
-      assert (J1 : J = - ((1 + r) / 2 * rate d y B0 j)).
-      { unfold rate at 1 in E2. rewrite (same_places _ _ _ _ E), (own_velocity mass J B0 j y _ N1 (conj E E1)) in E2.
-        rewrite dot_linear_right in E2. pose proof (unit_square _ _ _ _ X) as U2. unfold square in U2. rewrite U2 in E2.
-        fold (rate d y B0 j) in E2. unfold mass in E2. lra. }
-      destruct (z (Datatypes.S n)) as [places speeds]. cbn [position velocity] in E, E1. unfold collided. f_equal; [exact E|].
-      extensionality b. extensionality k. rewrite E1, J1. unfold mass.
-      destruct (same b B0); [field|]. destruct (same b j); [field | reflexivity]. }
-  pose proof (in_turn_collapses d r R z t T T0 W LT) as Y. rewrite Z0 in Y.
-  exists z, t, T, (course z t), (ending d r R z t T W LT). split; [exact Y|]. split; [exact B|].
-  destruct Y as [_ _ _ _ _ _ _ _ _ _ Y].
-  rewrite (limit_unique_constant _ _ _ Y V : minus_cosine d (ending d r R z t T W LT) = 1).
+  pose proof (in_turn_collapses d r R z t T T0 (equal_in_turn d r z t I) LT) as Y. rewrite Z0 in Y.
+  do 5 eexists. split; [exact Y|]. split; [exact B|].
+  rewrite (limit_unique_constant _ _ _ (angle_converges _ _ _ _ _ _ _ _ Y) V).
   rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. lra.
 Qed.

@@ -164,7 +164,7 @@ Proof.
     (new_value Step.number_of_a _ eq_refl), (new_value Step.number_of_b _ eq_refl),
     (new_value Step.number_of_A _ eq_refl), (new_value Step.number_of_B _ eq_refl),
     (new_value Step.number_of_w _ eq_refl), (new_value Step.number_of_d _ eq_refl).
-  unfold after_step. f_equal; try reflexivity.
+  unfold after_step, after_sharing. f_equal; try reflexivity.
   transitivity (Step.A_next r y b A B n d).
   - reflexivity.
   - unfold Step.A_next, impact.

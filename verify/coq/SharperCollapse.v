@@ -62,7 +62,7 @@ Qed.
 Lemma clock_starts : time O = 0.
 Proof. exact (started Sharper.number_of_clock _ eq_refl). Qed.
 Lemma flight_positive n : 0 < flight (at_step n).
-Proof. exact (takes_time _ _ (sharper_step _ (always_good n))). Qed.
+Proof. exact (takes_time _ _ _ (sharper_step _ (always_good n))). Qed.
 Lemma collide_in_turn : collides_in_turn D r scenes time.
 Proof.
   intros n. replace (time (S n) - time n) with (flight (at_step n)) by (rewrite time_next; ring).
@@ -85,7 +85,7 @@ Qed.
 Lemma angle_stays n : Rabs (minus_cosine D (scenes n) - v Sharper.number_of_C_0) <=
   v Sharper.number_of_Theta.
 Proof.
-  pose proof (always_good n) as G. pose proof (far _ _ (sharper_step _ G)) as F.
+  pose proof (always_good n) as G. pose proof (far _ _ _ (sharper_step _ G)) as F.
   rewrite (cosine_of _ _ _ _ _ (always_shown n n (Nat.le_refl n)) (Trajectory.in_turn n) F).
   assert (U : at_step n Sharper.number_of_C - at_step n Sharper.number_of_C_0 <=
     at_step n Sharper.number_of_Theta) by row_of (at_step n) Sharper.row_of_angle_final_upper_is G.

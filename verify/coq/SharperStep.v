@@ -137,7 +137,7 @@ Proof.
     row_of (at_time v Sharper.number_of_s t) Sharper.row_of_colliding_pair_apart_is (before t T).
   - intros t T.
     row_of (at_time v Sharper.number_of_t t) Sharper.row_of_spectator_apart_is (meanwhile t T).
-  - intros t T. cbn [y eta_s C a b A B w d numbers_of].
+  - intros t T. unfold outer_of_equal. cbn [y eta_s C a b A B w d numbers_of].
     assert (Q : 1 < (-1) * (-1) + (-1) * (t * (-1)) * vs
       + (-1) * (1 + vd) * (- v Sharper.number_of_C)
       + (-1) * t * v Sharper.number_of_a + t * (-1) * (-1) * vs + t * (-1) * (t * (-1)) * vB
@@ -155,7 +155,7 @@ Proof.
   unfold numbers_of. in_new Sharper.number_of_y. in_new Sharper.number_of_eta_s.
   in_new Sharper.number_of_C. in_new Sharper.number_of_a. in_new Sharper.number_of_b.
   in_new Sharper.number_of_A. in_new Sharper.number_of_B. in_new Sharper.number_of_w.
-  in_new Sharper.number_of_d. unfold after_step. cbn [y eta_s C a b A B w d].
+  in_new Sharper.number_of_d. unfold after_step, after_sharing. cbn [y eta_s C a b A B w d].
   f_equal; try reflexivity.
   transitivity (Sharper.A_next r vy (v Sharper.number_of_b) vA vB (v Sharper.number_of_w) vd).
   - reflexivity.

@@ -21,16 +21,47 @@ _SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 FUNCTION_NAMES = {"atan": "arctan"}
 #: A longer formula is left to the file with the statement, in which shared parts have names.
 MAX_SIGNS = 1 << 15
+#: So is a formula with more operations inside of one another: nobody can read it.
+MAX_LEVELS = 100
 LONG = "(long: see the statement file)"
 _BINARY = ("add", "sub", "mul", "div")
 
 
-def is_long(claim: Claim | Applies | Always) -> bool:
-    """Whether a claim is longer than it is written."""
-    if isinstance(claim, Claim):
-        return signs_in(claim.lhs) + signs_in(claim.rhs) > MAX_SIGNS
-    tables = (claim.at,) if isinstance(claim, Applies) else (claim.start, claim.next)
-    return sum(signs_in(term) for table in tables for term in table.values()) > MAX_SIGNS
+class Lengths:
+    """How long and how deep terms are, each part written wherever it stands, in given letters.
+
+    Args:
+        letters: what is written for each symbol; a file may have letters of any length.
+    """
+
+    def __init__(self, letters: Mapping[str, str]) -> None:
+        self._letters = letters
+        self._known: dict[Term, tuple[int, int]] = {}
+
+    def is_long(self, *terms: Term) -> bool:
+        """Whether terms are together longer, or one of them is deeper, than they are written."""
+        sizes = [self._size(term) for term in terms]
+        return sum(signs for signs, _ in sizes) > MAX_SIGNS or any(n > MAX_LEVELS for _, n in sizes)
+
+    def is_long_claim(self, claim: Claim | Applies | Always) -> bool:
+        """Whether a claim is longer or deeper than it is written."""
+        if isinstance(claim, Claim):
+            return self.is_long(claim.lhs, claim.rhs)
+        tables = (claim.at,) if isinstance(claim, Applies) else (claim.start, claim.next)
+        return self.is_long(*(term for table in tables for term in table.values()))
+
+    def _size(self, term: Term) -> tuple[int, int]:
+        found = self._known.get(term)
+        if found is None:
+            if term.op == "symbol":
+                found = len(self._letters.get(term.name) or term.name), 0
+            elif not term.children:
+                found = signs_in(term), 0
+            else:
+                sizes = [self._size(child) for child in term.children]
+                found = sum(signs for signs, _ in sizes) + 1, max(n for _, n in sizes) + 1
+            self._known[term] = found
+        return found
 
 
 class Typesetter:
@@ -41,12 +72,12 @@ class Typesetter:
     """
 
     def __init__(self, letters: Mapping[str, str]) -> None:
-        self.letters = letters
+        self.letters, self.lengths = letters, Lengths(letters)
         self._texts: dict[Term, str] = {}
 
     def claim(self, claim: Claim | Applies | Always) -> str:
         """``lhs < rhs``, ``lhs ≤ rhs`` or ``lhs = rhs``; or the values put into a context."""
-        if is_long(claim):
+        if self.lengths.is_long_claim(claim):
             return LONG
         if isinstance(claim, Applies):
             return f"{claim.context} at {self._values(claim.at)}"
@@ -63,7 +94,7 @@ class Typesetter:
 
     def term(self, term: Term) -> str:
         """The term, with as few parentheses as its reading needs, unless it is very long."""
-        if signs_in(term) > MAX_SIGNS:
+        if self.lengths.is_long(term):
             return LONG
         text = self._texts.get(term)
         if text is None:

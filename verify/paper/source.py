@@ -84,5 +84,5 @@ PAPER = Publication(
     whole_in_coq=WHOLE_IN_COQ,
     notes=notes,
     source=source_sha256,
-    fatal={"printed.second-assumption-as-printed": "misprint < in (4.10)"},
+    fatal={"printed.second-assumption-as-printed": "in (4.10), < should be >"},
 )

@@ -156,11 +156,13 @@ class Deciding(Writing):
         """Afterwards something is made, as the checker accepts it, or it is known why not."""
         undo, first = self.universal.mark(), len(self.session.steps)
         make()
-        reason = "" if name in self.unmade else self.refusal(None, "", self.session.steps[first:])
-        if reason:
-            undo()
-            self.universal.contexts.pop(name, None)
+        if name not in self.unmade:
+            reason = self.refusal(None, "", self.session.steps[first:])
+            if not reason:
+                return
             self.unmade[name] = f"{name}: {reason}"
+        undo()  # the checker has not read these steps
+        self.universal.contexts.pop(name, None)
 
     # --- lines ----------------------------------------------------------------------------------
 
@@ -201,8 +203,9 @@ class Deciding(Writing):
         else:
             found = self._written(row, line)
             steps = self.session.steps[first:]
-            refused = steps and self.refusal(self._row(row), found.claimed, steps)
-            if refused:
+            if found.claimed != UNDECIDED and (
+                refused := self.refusal(self._row(row), found.claimed, steps)
+            ):
                 found = _undecided(f"what its line says is not accepted: {refused}")
         if found.claimed == UNDECIDED:
             undo()

@@ -157,11 +157,15 @@ def _unopened(context: Context, universal: Universal, opens: Opens) -> str:
     try:
         is_open = opens(universal, context)
     finally:
+        entered, made = context.name in universal.contexts, {*universal.session.definitions}
         if not is_open:
             undo()
             universal.contexts.pop(context.name, None)
     if is_open:
         return ""
+    if entered:
+        valueless = next(one.name for one in context.constants if one.name not in made)
+        return f"{valueless} was not seen to have a value"
     reason = f"the context {context.name} was not seen to have a point"
     failed, undefined = universal.failed, universal.undefined
     if undefined is not None:

@@ -71,7 +71,7 @@ def screen(
 
 def _argument(printed: Outcome, paper: Publication) -> Iterator[str]:
     """The verdict on the printed argument, and which of its steps break it."""
-    yield f"The printed argument for it: {conjunction(printed.decisions.values())}"
+    yield f"The printed argument: {conjunction(printed.decisions.values())}"
     rows = [
         (row, found)
         for row, found in printed.rows

@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from html import escape
 
-from verify.language.terms import Claim, Term, signs_in
-from verify.language.typeset import FUNCTION_NAMES, LONG, MAX_SIGNS, is_long
+from verify.language.terms import Claim, Term
+from verify.language.typeset import FUNCTION_NAMES, LONG, Lengths
 
 _SUM, _PRODUCT, _NEGATION, _ATOM = range(4)
 _LEVELS = {"add": _SUM, "sub": _SUM, "mul": _PRODUCT, "neg": _NEGATION}
@@ -37,7 +37,7 @@ class MathML:
     """
 
     def __init__(self, letters: Mapping[str, str]) -> None:
-        self._letters = dict(letters)
+        self._letters, self._lengths = dict(letters), Lengths(letters)
         self._texts: dict[Term, str] = {}
 
     def claim(self, claim: Claim) -> str:
@@ -45,7 +45,7 @@ class MathML:
 
         Browsers do not break lines inside of a formula.
         """
-        if is_long(claim):
+        if self._lengths.is_long_claim(claim):
             return formula(f"<mtext>{LONG}</mtext>")
         left, right = self._summands(claim.lhs), self._summands(claim.rhs)
         right[0] = f'<mo form="infix">{_SIGNS[claim.relation]}</mo>{right[0]}'
@@ -70,7 +70,7 @@ class MathML:
         return formula((f"<mo>{escape(before)}</mo>" if before else "") + self._term(term))
 
     def _term(self, term: Term) -> str:
-        if signs_in(term) > MAX_SIGNS:
+        if self._lengths.is_long(term):
             return f"<mtext>{LONG}</mtext>"
         text = self._texts.get(term)
         if text is None:

@@ -32,7 +32,7 @@ from verify.views import words
 
 #: Digits of a number that is rounded to the safe side.
 SAFE_DIGITS = 6
-TITLES = {PRINTED: "The printed argument for it", REPAIRED: "The theorem with repaired constants"}
+TITLES = {PRINTED: "The printed argument", REPAIRED: "The theorem with repaired constants"}
 
 
 def place(outcome: Outcome) -> str:
@@ -211,7 +211,7 @@ def screen(
     ``as_printed`` has the verdicts on the theorem with its sign, and its set, as printed. The last
     line is the result with everything it is about.
     """
-    yield f"Theorem 1 ({outcome.statement.theorem}) at {parameters_told(outcome)}"
+    yield f"Theorem 1 at {parameters_told(outcome)}"
     yield ""
     yield from printed_lines(as_printed or {}, paper)
     sets = [group for group in words.groups(outcome) if group != HYPOTHESES]
@@ -233,22 +233,24 @@ def screen(
 
 def printed_lines(verdicts: Mapping[str, str], paper: Publication) -> Iterator[str]:
     """Whether the theorem is true as it is printed, and by which misprint not; and its set."""
+    if (verdicts.get("sign"), verdicts.get("set")) == (REFUTED, PROVED):
+        where = "; ".join(paper.fatal.values())
+        yield f"The theorem is true once one sign is corrected: {where}."
     if "sign" in verdicts:
-        what = ", ".join(["Theorem 1 as printed", *paper.fatal.values()])
         is_in_coq = f"{paper.theorem}, the sign as printed" in paper.whole_in_coq
         told = f"{verdicts['sign']}{' (Coq)' * is_in_coq}, certificates/printed-sign"
-        yield f"{what}: {told}"
+        yield f"  As printed, with <: {told}"
     if "set" in verdicts:
         yield (
-            f"Its set as printed, with > for <: {verdicts['set']} (certificates/printed-set), with "
-            "d₀ > 0 and η_s > 0; for an interior it needs room for the angle (Θ/6)"
+            f"  With >, its set as printed: {verdicts['set']} (certificates/printed-set) where "
+            "d₀, η_s > 0; for an interior it needs room for the angle (Θ/6)"
         )
 
 
 def counted(count: int, severity: str) -> str:
     """So many rows of a severity: 6 slips of wording, 2 false, but harmless here, 10 remarks."""
     if severity == OTHERWISE:
-        return f"{count} true, but badly derived"
+        return f"{count} true, but the reason given does not suffice"
     several = severity.replace("slip", "slips").replace("remark", "remarks")
     return f"{count} {severity if count == 1 else several}"
 
@@ -281,7 +283,12 @@ def _breaking(outcome: Outcome, paper: Publication) -> Iterator[str]:
         p for p in outcome.rows if words.fair(outcome, *p) == REFUTED and p[0].severity == BREAKS
     ]
     if rows:
-        yield "  Refuted steps that break it (left and right side, formula):"
+        mistakes = len([*causes([row for row, _ in rows], paper)])
+        cause = f", from {mistakes} mistakes" if mistakes > 1 else ""
+        steps = (
+            f"{len(rows)} refuted steps break it" if len(rows) > 1 else "One refuted step breaks it"
+        )
+        yield f"  {steps}{cause} (left side, right side, formula):"
     for row, decision in rows:
         numbers = words.sides_told(row, decision, 3)
         if numbers:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from verify.language.statement import PRINTED, REFUTED, Constant
 from verify.language.typeset import Typesetter
@@ -11,17 +11,23 @@ from verify.prover.outcome import Outcome
 from verify.publication import HYPOTHESES, REPAIRED, Publication
 from verify.views import words
 from verify.views.enclosures import minimum_of
-from verify.views.point import TITLES, in_numbers, parameters_told, verdict_lines
+from verify.views.point import TITLES, in_numbers, parameters_told, printed_lines, verdict_lines
 from verify.views.row_lists import row_lines
 
 
-def report_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
-    """The report, line by line; the last line is the result with everything it is about."""
+def report_lines(
+    outcome: Outcome, paper: Publication, as_printed: Mapping[str, str] | None = None
+) -> Iterator[str]:
+    """The report, line by line; the last line is the result with everything it is about.
+
+    ``as_printed`` has the verdicts on the theorem with its sign, and its set, as printed.
+    """
     typesetter = words.letters(outcome)
     sets = [group for group in words.groups(outcome) if group != HYPOTHESES]
     yield f"Theorem 1 ({outcome.statement.theorem}) at {parameters_told(outcome)}"
     yield f"{paper.authors}: {paper.title}, as it stands in {paper.text_read}"
     yield ""
+    yield from printed_lines(as_printed or {}, paper)
     yield from _first_screen(outcome, paper, sets)
     yield ""
     yield "Hypotheses"

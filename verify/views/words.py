@@ -122,9 +122,9 @@ def believed(outcome: Outcome, paper: Publication) -> str:
     proved += [f"what is used of {name}" for name in cited_in_coq(outcome, paper)]
     others = [one for one, found in known.items() if not found or one.kind == DEFINITION]
     names = [f"{one.name} ({one.kind})" if one.kind == DEFINITION else one.name for one in others]
-    count = f"{len(known)} sentence{'s' * (len(known) != 1)}"
+    count = f"{len(known)} assumption{'s' * (len(known) != 1)}"
     list_ = ", ".join(proved) or "none"
-    return f"Rests on {count}. Believed: {', '.join(names) or 'none'}. Proved in Coq: {list_}."
+    return f"Uses {count}. Believed: {', '.join(names) or 'none'}. Proved in Coq: {list_}."
 
 
 def cited_in_coq(outcome: Outcome, paper: Publication) -> list[str]:

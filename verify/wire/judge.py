@@ -13,7 +13,15 @@ from functools import lru_cache
 
 from verify import check
 from verify.language.errors import OwnError, UnreadError
-from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Obligation, Statement
+from verify.language.statement import (
+    NEEDED,
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Constant,
+    Obligation,
+    Statement,
+)
 from verify.prover.outcome import CHECKER, Decision, Judgement, Outcome, names_in
 from verify.wire.write import write
 
@@ -70,9 +78,14 @@ def _restricted(outcome: Outcome, rows: tuple[Obligation, ...]) -> Outcome:
     statement = outcome.statement._replace(obligations=rows)
     if outcome.spent:
         made = {step.name for step in outcome.steps}
+
+        def defined(constants: tuple[Constant, ...]) -> tuple[Constant, ...]:
+            return tuple(one for one in constants if one.name in made)
+
+        contexts = (one for one in statement.contexts if one.name in made)
         statement = statement._replace(
-            constants=tuple(one for one in statement.constants if one.name in made),
-            contexts=tuple(one for one in statement.contexts if one.name in made),
+            constants=defined(statement.constants),
+            contexts=tuple(c._replace(constants=defined(c.constants)) for c in contexts),
         )
     return outcome._replace(statement=statement)
 

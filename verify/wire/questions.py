@@ -339,6 +339,11 @@ def _document(content: bytes, cited: Mapping[str, bytes]) -> dict[str, Any]:
         ) from error
     if not any(row["role"] == NEEDED for row in document["obligations"]):
         raise InputError('STATEMENT: no row is needed; write "role": "needed" where it is asked')
+    half = re.search("[\ud800-\udfff]", json.dumps(document, ensure_ascii=False))
+    if half is not None:
+        raise InputError(
+            f"STATEMENT: {half[0]!a} is one half of an escaped letter; write both halves of it"
+        )
     return document
 
 

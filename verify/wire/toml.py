@@ -11,6 +11,13 @@ MAX_WORD = 4300
 #: Of the parts of a key, and of brackets inside of one another.
 MAX_PARTS, MAX_NESTING = 100, 100
 
+#: What to write where something stands twice, by what the reader of TOML says of it.
+TWICE = {
+    "Cannot overwrite a value": "a name stands there twice, leave one out or choose another",
+    "Duplicate inline table key": "a key stands there twice, leave one out",
+    "Cannot declare": "a table stands there twice, write its lines together",
+}
+
 #: Texts in quotation marks, and comments.
 _QUOTED = re.compile(
     r'"""[^"\\]*+(?:(?:\\.|"{1,2}(?!"))[^"\\]*+)*+"{3,5}|'

@@ -316,9 +316,12 @@ def test_the_first_screen_answers_three_questions(
     lines = capsys.readouterr().out.splitlines()[:24]
     assert max(map(len, lines)) <= 80
     first = " ".join(line.strip() for line in lines)
-    assert "Theorem 1 as printed, misprint < in (4.10): refuted" in first
-    assert "Its set as printed, with > for <: proved" in first
-    assert "The printed argument for it: refuted Refuted steps that break it" in first
+    assert "As printed, with <: refuted" in first
+    assert "With >, its set as printed: proved" in first
+    assert "is true once one sign is corrected: in (4.10), < should be >." in first
+    assert "The printed argument: refuted" in first
+    assert "steps" in first
+    assert "break it" in first
     for name in ("set-interior", "zeta-x-bound", "zeta-term-2", "zeta-remainders", "zeta-total"):
         assert f"{name} " in first
     assert "Why set-interior: ω_{c,0}·ω_{s,0} = cos θ₀ is an equation" in first
@@ -333,8 +336,8 @@ def test_a_referee_reads_the_verdicts(capsys: pytest.CaptureFixture[str]) -> Non
         code = main(["theorem1", *line.split()])
         said[line] = capsys.readouterr().out
         assert code == (1 if "printed" in line else 0)
-        assert "Theorem 1 as printed, misprint < in (4.10): refuted" in said[line]
-        assert "Its set as printed, with > for <: proved" in said[line]
+        assert "As printed, with <: refuted" in said[line]
+        assert "With >, its set as printed: proved" in said[line]
     last = " ".join(said["--all --constants printed"].partition("Verdict: ")[2].split())
     assert last.startswith("refuted: the printed argument, for all parameters")
     assert last.endswith("; proved: the set as printed, with > for <")

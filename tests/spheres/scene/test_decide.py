@@ -42,6 +42,20 @@ def test_random_scenes_against_a_simulation() -> None:
     assert {one.verdict for one in found} == {COLLAPSES, DISPERSES}
 
 
+@pytest.mark.parametrize(
+    ("r", "positions", "velocities"),
+    [
+        ("3/100", "0 0, 1.1 0, -1.1 5e398", "0 0, -1 0, 1 0"),
+        ("1/2", "-1e400 -6e5, 0 -1, 0 0", "2 8e20, 2 2, -6e-310 1e-5"),
+    ],
+)
+def test_numbers_beyond_floats_are_no_end(r: str, positions: str, velocities: str) -> None:
+    rows = ([[*row.split()] for row in text.split(",")] for text in (positions, velocities))
+    found = decide_scene(scene(r, *rows), Budget(max_bits=512))
+    assert found.verdict == DISPERSES
+    assert contradictions(found) == []
+
+
 def test_a_contradiction_would_be_seen() -> None:
     found = decide_scene(aligned())
     assert contradictions(found) == []

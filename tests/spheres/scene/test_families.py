@@ -35,6 +35,13 @@ def test_terms_are_exact() -> None:
     assert scene.velocities[2] == (Fraction(4, 5), Fraction(-1, 7) - Fraction(1, 20))
 
 
+@pytest.mark.parametrize("name", ["e", "E", "pi", "inf", "nan"])
+def test_a_parameter_may_have_the_name_of_a_number(name: str) -> None:
+    text = TEXT.replace("h**2 + 1/3", name) + f'{name} = "0..1"\n'
+    at = {"h": Fraction(0), "v": Fraction(0), "r": Fraction(1, 50), name: Fraction(1, 3)}
+    assert family(text).at(at).positions[2][1] == Fraction(1, 3)
+
+
 @pytest.mark.parametrize(
     ("old", "new", "why"),
     [
@@ -42,7 +49,23 @@ def test_terms_are_exact() -> None:
         ('h = "0..0.1"', "h = 0.1", "is no interval"),
         ('h = "0..0.1"', 'h = "0..0.1"\nw = "0..1"', "the parameter w does not occur"),
         ('h = "0..0.1"', 'h = "0..0.1"\n"a b" = "0..1"', "is no name"),
-        ('h = "0..0.1"', 'h = "0..0.1"\nr = "0..1"', "r: has an interval twice"),
+        ('h = "0..0.1"', 'h = "0..0.1"\nr = "0..1"', "write it at the top"),
+        ('h = "0..0.1"', 'h = "0..0.1"\npositions = "0..1"', "write another name"),
+        ('h = "0..0.1"', 'h = "0..0.1"\nlambda = "0..1"', "write another name"),
+        ('h = "0..0.1"', 'h = "0..0.1"\n"ｈ" = "0..1"', "is no name"),
+        ('h = "0..0.1"', 'h = "0..0.1"\nh = "0..1"', "stands there twice"),
+        # what Python's reader takes away, or takes for something else
+        ("h**2", "h # + 1", "'#' is not known"),
+        ("h**2", "ｈ", "'ｈ' is not known"),
+        ("h**2", "ℎ", "'ℎ' is not known"),
+        ("h**2", "h + ²", "'²' is not known"),
+        ("h**2", "h + 'a'", "is not known"),
+        ("h**2", "h**0x2", "whole power"),
+        ("h**2", "h**1_0", "whole power"),
+        ("h**2", "h**True", "whole power"),
+        ("h**2", "h + True", "is not an exact number"),
+        ("h**2", "h + 1_0", "is not an exact number"),
+        ("h**2", "h*inf", "is no term"),
         ("h**2", "h**h", "whole power"),
         ("h**2", "(h**20)**20", ""),
         ("h**2", "((((h**20)**20)**20)**20)", "too long"),

@@ -1,22 +1,17 @@
 """Where on the pages of the paper a name stands: that of a row, a line, a constant, or a given.
 
-It is the line that begins with the name.
+It is the line in which its entry begins.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from functools import cache
 
 from verify.language.argument import Line
 from verify.paper.commands.pages import content, included, names, page
 from verify.paper.commands.place import Place
-from verify.wire.text.places import keys_of
-
-#: A table of a page, and a key in it; what goes on in the next lines is indented.
-HEADER = re.compile(r"\[+([^\[\]]+)\]+\s*(?:#.*)?")
-KEY = re.compile(r"""([\w."'-]+)\s*=""")
+from verify.wire.text.places import Places
 
 
 @cache
@@ -33,7 +28,7 @@ def _on_page(name: str) -> list[Place]:
     """The places of a page in the order of its lines."""
     statement = page(name).statement
     texts = {f"{name}.toml": content(name), **included(name)}
-    lines = {path: _lines(text.decode()) for path, text in texts.items()}
+    lines = {path: Places(path, text.decode()).key_lines for path, text in texts.items()}
     rows = {row.name: (row.label, row.says) for row in statement.obligations}
 
     def place(name: str, label: str, says: str, *written: tuple[str, ...]) -> Place:
@@ -73,17 +68,3 @@ def _keys(table: str, name: str) -> Iterator[tuple[str, ...]]:
     """
     for key in (name, name.partition(".")[2]):
         yield from ((table, key), ("chapters", table, key))
-
-
-def _lines(text: str) -> dict[tuple[str, ...], int]:
-    """The line in which each key of a page stands, by all keys that lead to it."""
-    table: tuple[str, ...] = ()
-    found: dict[tuple[str, ...], int] = {}
-    for number, line in enumerate(text.splitlines(), 1):
-        if header := HEADER.fullmatch(line):
-            table = tuple(keys_of(header[1]))
-            found.setdefault(table, number)
-        elif key := KEY.match(line):
-            keys = keys_of(key[1])
-            found.setdefault((*table, keys[0]), number)
-    return found

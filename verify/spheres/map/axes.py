@@ -7,9 +7,11 @@ scene without parameters make a plane through that scene; all else is a family.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 
+from verify.check_map import MAX_OPERATIONS
+from verify.language.fold import fold
 from verify.language.record import Record
 from verify.language.terms import Term, symbol
 from verify.spheres.map import planes
@@ -88,9 +90,31 @@ def plane_in(
             here = here._replace(r=letters["r"])
         if axis.place is not None:
             _put(here, axis, letters[axis.name])
+    _test_length(where, here)
     rows = ([[as_plane_term(cell) for cell in row] for row in given] for given in here[1:3])
     names = tuple(axis.name for axis in axes)
     return FamilyPlane(as_plane_term(here.r), Coordinates(*rows), names, *sides)
+
+
+#: How many operations a term has as `as_plane_term` writes it, without sharing.
+_WRITTEN: Mapping[str, Callable[..., int]] = {
+    **dict.fromkeys(LETTERS, lambda one, two: one + two + 1),
+    "rational": lambda _: 0,
+    "symbol": lambda _: 0,
+    "neg": lambda one: one + 1,
+    "pow": lambda one, exponent: exponent * (one + 1) - 1,
+}
+
+
+def _test_length(where: str, here: FamilyTerms) -> None:
+    """Afterwards the terms are not longer than the checker reads them."""
+    cells = (cell for rows in (here.positions, here.velocities) for row in rows for cell in row)
+    terms = [cell for cell in (here.r, *cells) if isinstance(cell, Term)]
+    if sum(fold(term, _WRITTEN, {}) for term in terms) > MAX_OPERATIONS:
+        raise InputError(
+            f"{where}: r, positions and velocities have more than {MAX_OPERATIONS} operations, "
+            "with powers as products; write shorter terms"
+        )
 
 
 def _through(where: str, content: bytes, axes: Sequence[Axis]) -> Through | None:

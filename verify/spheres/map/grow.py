@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from errno import EACCES, EAGAIN
 from fractions import Fraction
 from functools import partial
+from os import SEEK_END
 from typing import BinaryIO
 
 from verify import check_map
@@ -163,6 +164,17 @@ def _lock(file: BinaryIO) -> None:
 
 
 def write_line(file: BinaryIO, line: bytes) -> None:
-    """Afterwards the line is in the file."""
-    file.write(line)
-    file.flush()
+    """Afterwards the line is in the file, or none of it is.
+
+    Raises:
+        OSError: if it cannot be written.
+    """
+    raw = getattr(file, "raw", file)  # what a buffer keeps would be written again at the end
+    size = raw.seek(0, SEEK_END)
+    try:
+        while line:
+            line = line[raw.write(line) :]
+    except OSError:
+        with suppress(OSError):  # then the next run drops what is there of it
+            raw.truncate(size)
+        raise

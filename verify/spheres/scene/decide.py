@@ -186,6 +186,13 @@ def told_event(event: Event) -> str:
 
 def find_end(flow: Flow) -> Collapse | None:
     """Why the spheres collapse, as the moment after the last collision shows it."""
+    try:
+        return _end_after(flow)
+    except OverflowError:  # what is looked for with floats is beyond their range
+        return None
+
+
+def _end_after(flow: Flow) -> Collapse | None:
     now, scene = flow.now, flow.scene
     if now is None:
         return None

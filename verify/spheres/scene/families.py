@@ -19,6 +19,7 @@ import operator
 import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from keyword import iskeyword
 from typing import Any
 
 from verify.language.record import Record
@@ -46,7 +47,10 @@ ANGLES = (
     "; an angle a is given by a parameter t, the tangent of a/2: its cosine is "
     "(1 - t**2)/(1 + t**2), its sine 2*t/(1 + t**2)"
 )
+NO_NAME = "is no name; write the letters A to Z, a to z, digits and _, beginning with a letter"
 MAX_PARAMETERS, MAX_LETTERS, MAX_POWER, MAX_BITS = 20, 500, 20, 10_000
+#: What no term has: the reader of terms would take a comment away, and other letters for these.
+_NO_TERM = re.compile(r"[^A-Za-z0-9_.+*/(), ^%-]")
 Side = tuple[Fraction, Fraction]
 _OPERATIONS: dict[type, Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
@@ -123,10 +127,12 @@ def read_family(where: str, content: bytes) -> Family:
     given = table.pop(PARAMETERS, {})
     if not isinstance(given, dict):
         raise InputError(f'{where}: {PARAMETERS}: write a table such as v = "0..1"')
+    if "r" in given:
+        raise InputError(f"{where}: r: {R_AT_THE_TOP}")
+    for name in given:
+        _test_name(where, name)
     sides = {name: _side(where, name, text) for name, text in given.items()}
     if isinstance(table.get("r"), str) and ".." in table["r"]:
-        if "r" in sides:
-            raise InputError(f"{where}: r: has an interval twice; write it once, at the top")
         sides["r"] = _side(where, "r", table["r"])
         table["r"] = "r"
     if len(sides) > MAX_PARAMETERS:
@@ -136,10 +142,16 @@ def read_family(where: str, content: bytes) -> Family:
     return family
 
 
+def _test_name(where: str, name: str) -> None:
+    """Afterwards a parameter may be called so."""
+    is_taken = iskeyword(name) or name in (*KEYS, *OPTIONAL, *LABELS)
+    if is_taken or not re.fullmatch("[A-Za-z][A-Za-z0-9_]{0,30}", name):
+        what = "is a word of terms or scenes; write another name" if is_taken else NO_NAME
+        raise InputError(f"{where}: {shown(name)} {what}")
+
+
 def _side(where: str, name: str, text: object) -> Side:
     place = f"{where}: {name}"
-    if not re.fullmatch("[A-Za-z][A-Za-z0-9_]{0,30}", name):
-        raise InputError(f"{where}: {shown(name)} is no name; write letters and digits")
     words = text.split("..") if isinstance(text, str) else []
     if len(words) != 2:
         raise InputError(f'{place}: {shown(str(text))} is no interval; write it like "0..0.1"')
@@ -154,8 +166,6 @@ def _used(family: Family) -> None:
     texts = " ".join(str(family.table.get(key)) for key in (*KEYS, *OPTIONAL))
     names = {*re.findall(r"[A-Za-z]\w*", texts)}
     unused = sorted(family.sides.keys() - names)
-    if unused == ["r"]:
-        raise InputError(f"{family.where}: r: {R_AT_THE_TOP}")
     if unused:
         raise InputError(
             f"{family.where}: the parameter {unused[0]} does not occur in r, positions or "
@@ -208,8 +218,14 @@ def _texts(value: Any) -> Any:
 
 
 def _value(where: str, cell: Any, values: Mapping[str, Fraction | Term]) -> Fraction | Term:
-    if not isinstance(cell, str) or re.fullmatch("[-+0-9.eE/]*", cell):
+    if not isinstance(cell, str) or re.fullmatch("[-+0-9./]*([eE][-+0-9./]+)?", cell):
         return number_in(where, cell)
+    odd = _NO_TERM.search(cell.strip())
+    if odd is not None:
+        raise InputError(
+            f"{where}: {shown(cell)}: {shown(odd[0])} is not known; write + - * / ** of numbers "
+            "and of parameters, which have the letters A to Z"
+        )
     if len(cell) > MAX_LETTERS:
         raise InputError(f"{where}: the term has {len(cell)} letters; write at most {MAX_LETTERS}")
     try:
@@ -261,8 +277,9 @@ def _of(place: _Place, node: ast.expr) -> Fraction | Term:
 
 
 def _power(place: _Place, node: ast.expr) -> int:
-    exponent = node.value if isinstance(node, ast.Constant) else None
-    if type(exponent) is not int or not 0 <= exponent <= MAX_POWER:
+    written = ast.get_source_segment(place.text, node) or ""
+    exponent = int(written) if re.fullmatch("[0-9]{1,9}", written) else -1
+    if not 0 <= exponent <= MAX_POWER:
         raise InputError(
             f"{place.where}: {shown(place.text)}: write a whole power from 0 to {MAX_POWER}"
         )

@@ -33,7 +33,7 @@ from verify.spheres.scene.scene import (
     pair_name,
 )
 from verify.wire.inputs import InputError, hundredth, rational, regular_file, shown
-from verify.wire.toml import TooLongError, toml_of
+from verify.wire.toml import TWICE, TooLongError, toml_of
 
 KEYS = ("r", "positions", "velocities")
 #: The diameter of the particles in the file's own unit of length; 1 without it.
@@ -133,8 +133,11 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
     except ValueError as error:
         is_text = not isinstance(error, UnicodeDecodeError)
         why = " ".join(str(error).split()) if is_text else "it is not UTF-8"
+        twice = next((instead for part, instead in TWICE.items() if part in why), "")
         meant = (_meant_line(content) if is_text else None) or ", ".join(KEYS)
-        raise InputError(f"{where}: is no TOML file ({why}); write {meant}") from error
+        raise InputError(
+            f"{where}: is not valid TOML ({why}); {twice or f'write {meant}'}"
+        ) from error
     is_family = "parameters" in table or ".." in str(table.get("r"))
     if is_family and not more:
         raise InputError(

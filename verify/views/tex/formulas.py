@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from verify.language.simplify import simplified, simplified_claim
-from verify.language.terms import FUNCTIONS, Claim, Term, signs_in
-from verify.language.typeset import FUNCTION_NAMES, LONG, MAX_SIGNS, Typesetter, is_long
+from verify.language.terms import FUNCTIONS, Claim, Term
+from verify.language.typeset import FUNCTION_NAMES, LONG, Lengths, Typesetter
 from verify.views.mathml import in_braces
 from verify.views.mathml import letter as read_letter
 from verify.views.tex.sentences import math
@@ -35,11 +35,12 @@ class Formulas:
 
     def __init__(self, letters: Mapping[str, str], plain: Mapping[str, str]) -> None:
         self._letters, self._plain = letters, Typesetter(plain)
+        self._lengths = Lengths(letters)
         self._texts: dict[Term, str] = {}
 
     def claim(self, claim: Claim) -> str:
         """Two sides and their relation."""
-        if is_long(claim):
+        if self._lengths.is_long_claim(claim):
             return _LONG
         claim = simplified_claim(claim)
         sides = map(with_tall_parentheses, (self._term(claim.lhs), self._term(claim.rhs)))
@@ -47,7 +48,7 @@ class Formulas:
 
     def term(self, term: Term) -> str:
         """A term, simplified, unless it is very long."""
-        if signs_in(term) > MAX_SIGNS:
+        if self._lengths.is_long(term):
             return _LONG
         return with_tall_parentheses(self._term(simplified(term)))
 
@@ -121,7 +122,7 @@ class Formulas:
         )
 
     def _short(self, term: Term) -> bool:
-        return signs_in(term) <= MAX_SIGNS and len(self._plain.term(term)) <= LONGEST
+        return not self._plain.lengths.is_long(term) and len(self._plain.term(term)) <= LONGEST
 
     def _inside(self, term: Term, level: int) -> str:
         text = self._term(term)

@@ -14,13 +14,14 @@ import re
 from collections.abc import Callable, Sequence
 
 from verify.language.argument import Value
-from verify.language.terms import Term
-from verify.wire.inputs import InputError, nearest, shown
+from verify.language.terms import MAX_EXPONENT, Term
+from verify.wire.inputs import InputError, shown
 from verify.wire.text.infix import term_text
 
 GOAL = "goal"
 #: What is at least 0 for any term, and for a root.
 TERMS = ("square", "root")
+MINUS = "a - is not possible, since each part has to be at least 0; write + and * only"
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>[0-9]+(?:/[0-9]+|\.[0-9]+)?)|(?P<name>@[0-9]+|[A-Za-z][A-Za-z0-9_.:-]*)|(?P<sign>[-+*^()]))"
 )
@@ -33,21 +34,21 @@ class Facts(tuple[Value, ...]):
 
 
 def read_by(
-    where: object, text: str, facts: Sequence[str], term: Callable[[str], Term]
+    where: object, text: str, fact: Callable[[str], None], term: Callable[[str], Term]
 ) -> Facts | tuple[Value, ...]:
     """The addends of a sum, or the facts if the text has names only.
 
     Args:
         where: the place in a file, for messages.
         text: what is read.
-        facts: the names that may be used.
+        fact: raises the error of a name that may not be used.
         term: reads what stands in ``square(...)``.
 
     Raises:
         InputError: naming the place, and what to write instead.
     """
     try:
-        return _Reader(where, text, facts, term).all()
+        return _Reader(where, text, fact, term).all()
     except RecursionError as error:
         raise InputError(f"{where}: {shown(text)} nests too deeply; name its parts") from error
 
@@ -56,9 +57,9 @@ class _Reader:
     """Reads one text from left to right."""
 
     def __init__(
-        self, where: object, text: str, facts: Sequence[str], term: Callable[[str], Term]
+        self, where: object, text: str, fact: Callable[[str], None], term: Callable[[str], Term]
     ) -> None:
-        self.where, self.text, self.facts, self.term = where, text, facts, term
+        self.where, self.text, self.fact, self.term = where, text, fact, term
         self.at = 0
 
     def error(self, what: str) -> InputError:
@@ -97,7 +98,8 @@ class _Reader:
         while self.peek()[0] in ("name", "number"):
             facts.append(self.factor())
         if self.peek()[0] != "end":
-            raise self.error(f"{shown(self.take()[1])} does not belong there")
+            word = self.take()[1]
+            raise self.error(MINUS if word == "-" else f"{shown(word)} does not belong there")
         for fact in facts:
             if not self.is_fact(fact):
                 raise self.error(
@@ -130,29 +132,28 @@ class _Reader:
         if not self.sign("^"):
             return base
         kind, word = self.take()
-        if kind != "number" or not word.isdigit():
-            raise self.error("an exponent is a whole number, such as 2")
+        if kind != "number" or not word.isdigit() or not 1 <= int(word[:9]) <= MAX_EXPONENT:
+            raise self.error(f"an exponent is a whole number from 1 to {MAX_EXPONENT}")
         return ("pow", base, int(word))
 
     def factor(self) -> Value:
         kind, word = self.take()
         if kind == "number":
-            return word if "." not in word else str(self.term(word).value)
+            return str(self.term(word).value)
         if (kind, word) == ("sign", "("):
             inner = self.addends()
             self.expect(")")
             return inner[0] if len(inner) == 1 else ("add", *inner)
+        if (kind, word) == ("sign", "-"):
+            raise self.error(MINUS)
         if kind != "name":
             raise self.error(
                 f"{shown(word) if word else 'it ends'}, where the name of a fact is missing"
             )
         if word in TERMS and self.peek() == ("sign", "("):
             return (word, self.enclosed())
-        if word != GOAL and word not in self.facts:
-            otherwise = "write names of what is given, of earlier lines, or of constants"
-            raise self.error(
-                f"{shown(word)} is no fact known here; {nearest(word, self.facts, otherwise)}"
-            )
+        if word != GOAL:
+            self.fact(word)
         return word
 
     def enclosed(self) -> Term:

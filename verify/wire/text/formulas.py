@@ -395,7 +395,7 @@ class Reader:
         head, parts = tree[0], tree[1:]
         if not head.quoted and head in ("let", "let*", "!") and head in self.dialect.words:
             return self._let(tree, scope) if head != "!" else self._annotated(tree, scope)
-        known = scope.find(head)
+        known = scope.find(head) if head.is_symbol else None
         if known is not None:
             return self._call(head, known, parts, scope)
         if not parts:
@@ -419,9 +419,9 @@ class Reader:
         if known is not None:
             return known
         if not word.quoted and _NUMBER.fullmatch(word):
-            rest = re.search("[eE].*", word)
-            if rest and scope.find(rest[0]) is not None:
-                what = f"{shown(word)} can be read as a number, or followed by the name {rest[0]}"
+            rest = re.sub(r"^[+-]?[0-9]+(\.[0-9]+)?", "", word)
+            if rest and not self.dialect.last and scope.find(rest) is not None:
+                what = f"{shown(word)} can be read as a number, or followed by the name {rest}"
                 raise self.source.error(word, f"{what}; choose another name")
             text = word.rstrip(".") if "." in word and word.endswith(".") else word
             where = f"{self.source.path}, line {word.line}"

@@ -572,9 +572,9 @@ class Reader:
         entry = table.get("variables", [*point] if isinstance(point, dict) else [])
         place = [*keys, "variables"]
         if isinstance(entry, str):
-            parts = entry.split(",") if ":" in entry else entry.replace(",", " ").split()
-            pairs = [[part.strip() for part in text.split(":", 1)] for text in parts]
-            entry = {name: letter[0] if letter else {} for name, *letter in pairs}
+            parts = _at_commas(entry) if ":" in entry else entry.replace(",", " ").split()
+            pairs = [[_unquoted(part.strip()) for part in text.split(":", 2)] for text in parts]
+            entry = {name: letters for name, *letters in pairs}
         if "variables" not in table and not entry:
             raise self.places.error(keys, 'it has no variables; write variables = ["x"]')
         names = () if isinstance(entry, dict) else self.texts(place, entry)
@@ -846,11 +846,16 @@ def _lettered(item: object) -> Any:
     return dict(zip(VARIABLE, item, strict=False)) if isinstance(item, list) else item
 
 
+def _unquoted(text: str) -> str:
+    """A text without the quotation marks around it, in which spaces at its ends count."""
+    return text[1:-1] if len(text) > 1 and text[0] == text[-1] == '"' else text
+
+
 def _at_commas(text: str) -> list[str]:
-    """The parts of a text between commas that stand outside of parentheses."""
+    """The parts of a text between commas that stand outside of parentheses and braces."""
     parts, depth, start = [], 0, 0
     for at, sign in enumerate(text):
-        depth += (sign == "(") - (sign == ")")
+        depth += (sign in "({") - (sign in ")}")
         if sign == "," and depth == 0:
             parts.append(text[start:at])
             start = at + 1

@@ -20,6 +20,9 @@ class Where:
 
 
 _KEY_IN_LINE = re.compile(r'\s*+([A-Za-z0-9_."\'-]++(?:\s*+\.\s*+[A-Za-z0-9_"-]++)*+)\s*+=')
+_QUOTES = re.compile(r"""\s*('''|\"""|'|")""")
+#: What begins an entry of a text, of which the last word is the name.
+_HEAD = re.compile(r"""(?:^|; )([^\s:;"][^:;"]*):(?=\s|$)""")
 
 
 class Places:
@@ -52,7 +55,7 @@ class Places:
     def known(self, keys: Sequence[str]) -> int:
         """How many of the keys lead to a line of this file."""
         lengths = range(len(keys), 0, -1)
-        return next((n for n in lengths if tuple(keys[:n]) in self._key_lines), 0)
+        return next((n for n in lengths if tuple(keys[:n]) in self.key_lines), 0)
 
     def _line(self, keys: Sequence[str], value: object) -> int:
         """The line in which the key stands, or the value if it stands below; 0 if none is found."""
@@ -65,20 +68,35 @@ class Places:
     def _key_line(self, keys: list[str]) -> int:
         """The line with the longest part of the keys that a line has."""
         parts = (tuple(keys[:length]) for length in range(len(keys), 0, -1))
-        return next((self._key_lines[part] for part in parts if part in self._key_lines), 0)
+        return next((self.key_lines[part] for part in parts if part in self.key_lines), 0)
 
     @cached_property
-    def _key_lines(self) -> dict[tuple[str, ...], int]:
-        """For each key the first line in which it stands."""
+    def key_lines(self) -> dict[tuple[str, ...], int]:
+        """For each key the first line in which it stands; so for the entries of a text."""
         table: list[str] = []
+        keys: tuple[str, ...] = ()
         found: dict[tuple[str, ...], int] = {}
+        quotes = ""  # those at the end of the text that has begun, over several lines
         for number, line in enumerate(self.lines, 1):
-            header = re.match(r"\s*\[+([^\[\]]+)\]+\s*(#|$)", line)
-            if header:
+            rest = line
+            if quotes:
+                quotes = "" if quotes in line else quotes
+            elif header := re.match(r"\s*\[+([^\[\]]+)\]+\s*(#|$)", line):
                 table = keys_of(header[1])
                 found.setdefault(tuple(table), number)
+                continue
             elif match := _KEY_IN_LINE.match(line):
-                found.setdefault((*table, *keys_of(match[1])), number)
+                keys, rest = (*table, *keys_of(match[1])), line[match.end() :]
+                for length in range(len(table) + 1, len(keys) + 1):
+                    found.setdefault(keys[:length], number)
+                begins = _QUOTES.match(rest)
+                if begins is None:
+                    continue
+                rest = rest[begins.end() :]
+                quotes = begins[1] if len(begins[1]) == 3 and begins[1] not in rest else ""
+            for head in _HEAD.findall(rest):
+                found.setdefault((*keys, head), number)
+                found.setdefault((*keys, head.rpartition(" ")[2]), number)
         return found
 
 

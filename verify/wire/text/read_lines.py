@@ -82,6 +82,7 @@ class Lines:
         self.waiting = list(page.contexts.values())
         self.conditions = {g.name: (g.claim, c.name) for c in self.waiting for g in c.givens}
         self.facts: tuple[str, ...] = ()  # what each line from here on may use
+        self.names: set[str] = set()  # of all lines, as they are written
         self.undefined: dict[str, tuple[str | None, Term]] = {}
         self.defined: dict[str, Term] = {}
         for context in self.waiting:
@@ -94,6 +95,7 @@ class Lines:
         """All chapters, with the places where contexts open and constants are defined."""
         if not isinstance(value, list):
             raise self.places.error(["chapters"], "is no list of tables; write [[chapters]]")
+        self.names = {name for entry in value for name in _rows_of(entry)}
         last = {self._home(entry): number for number, entry in enumerate(value)}
         found = [*self._before()] if value else []
         for number, entry in enumerate(value):
@@ -137,7 +139,7 @@ class Lines:
         return [self.page.one_of(["chapters", "in"], name, [*sets]) for name in names]
 
     def _are_here(self, keys: Keys, line: Line, home: str | None) -> None:
-        """Afterwards the facts that a line names are known where it uses them."""
+        """Afterwards the facts that a line names, and its terms, are known where it uses them."""
         reason = line.reason.reason if isinstance(line.reason, ByNegation) else line.reason
         places: dict[str, str | None] = dict.fromkeys(facts_of(reason), home)
         if isinstance(reason, ByInstance):
@@ -148,10 +150,19 @@ class Lines:
         for name, place in places.items():
             found = self.homes.get(name)
             if found not in (*self.page.scope.chain(place),):
-                what = (
-                    f"{shown(name)} is a fact of {found}, and not known in {place or 'no context'}"
-                )
+                what = f"{shown(name)} is a fact of {found}, and not known {_where(place)}"
                 raise self.places.error([*keys, "by"], f"{what}; name another one")
+        self._are_in_scope(keys, _terms(line, inside=False), home)
+        if isinstance(reason, ByWitness) and home in self.page.contexts:
+            self._are_in_scope(keys, reason.at.values(), self.page.contexts[home].parent)
+
+    def _are_in_scope(self, keys: Keys, terms: Iterable[Term], home: str | None) -> None:
+        """Afterwards the names in terms are known in a context; those of states may be others."""
+        for name in names_of(*terms):
+            found = self.page.scope.homes.get(name)
+            if found in self.page.contexts and found not in self.page.scope.chain(home):
+                what = f"{shown(name)} is a name of {found}, and not known {_where(home)}"
+                raise self.places.error(keys, f"{what}; write values without it, or another in")
 
     def _left(self, home: str | None) -> Iterator[Defined]:
         """The constants of a context that none of its lines uses."""
@@ -208,8 +219,8 @@ class Lines:
             self.claims |= {given.name: given.claim for given in context.givens}
             self.homes |= {given.name: context.name for given in context.givens}
             premises = self.page.premises.get(context.name)
-            for name in premises or ():
-                self._fact(["contexts", context.name, "by"], name)
+            if premises is not None:
+                self._paired(["contexts", context.name], " ".join(premises), context.name)
             yield Chapter(context.parent, (Opened(context, premises),))
         del self.waiting[:count]
 
@@ -290,10 +301,17 @@ class Lines:
     def _at_values(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> Claim:
         """A claim at values of the variables of its context, with what the constants are there."""
         claim = self._claim([*keys, "claim"], table["claim"], home)
-        values = dict(self._values([*keys, "at"], table["at"], home or "", None))
-        for constant in self.page.contexts[home or ""].constants:
-            values[constant.name] = substitute(constant.term, values)
-        return substitute_claim(claim, values)
+        values = self._values([*keys, "at"], table["at"], home or "", None)
+        return substitute_claim(claim, self._with_constants_at(home, values))
+
+    def _with_constants_at(
+        self, context: str | None, values: Mapping[str, Term]
+    ) -> Mapping[str, Term]:
+        """Values of the variables of a context, with what its constants are there."""
+        found = dict(values)
+        for constant in self.page.contexts[context or ""].constants:
+            found[constant.name] = substitute(constant.term, found)
+        return found
 
     def _line(
         self,
@@ -409,14 +427,17 @@ class Lines:
 
     def _instance(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> Claim:
         fact = self.page.text([*keys, "instance"], table["instance"], "the name of a fact")
+        self._fact([*keys, "instance"], fact)
         if fact not in self.claims:
-            instead = nearest(fact, self.claims, "write the name of an earlier line")
-            raise self.places.error([*keys, "instance"], f"{shown(fact)} is no fact; {instead}")
-        values = self._values([*keys, "at"], table.get("at"), self.homes[fact] or "", home)
-        return substitute_claim(self.claims[fact], values)
+            what = f"{shown(fact)} is a constant; write the name of a given or of an earlier line"
+            raise self.places.error([*keys, "instance"], what)
+        place = self.homes[fact]
+        values = self._values([*keys, "at"], table.get("at"), place or "", home)
+        return substitute_claim(self.claims[fact], self._with_constants_at(place, values))
 
     def _values(self, keys: Keys, value: object, name: str, home: str | None) -> Mapping[str, Term]:
         """The values of the variables of a context, or those of the state that is named."""
+        self._is_there(keys, value, "values, or the name of a state")
         if isinstance(value, str) and "=" not in value:
             return self._state(keys, name, value)
         if name not in self.page.contexts:
@@ -439,6 +460,10 @@ class Lines:
             raise self.places.error([*keys, kind], self.page.no_context(name))
         if kind == "applies":
             return Applies(name, self._values([*keys, "at"], table.get("at"), name, home))
+        parent = self.page.contexts[name].parent
+        if home != parent:
+            what = f"{name} is not a context inside of {home or 'the page'}"
+            raise self.places.error(keys, f'{what}; write in = "{parent or ""}"')
         start = self._values([*keys, "start"], table.get("start"), name, home)
         return Always(name, start, self._values([*keys, "next"], table.get("next"), name, name))
 
@@ -457,17 +482,17 @@ class Lines:
             around = self.page.contexts[home].parent if home in self.page.contexts else None
             return ByWitness(self._values(place, table["false_at"], home or "", around))
         if isinstance(claim, Applies):
-            return ToBeFound() if by is None else ByApplying(self._names([*keys, "by"], by))
+            return ToBeFound() if by is None else ByApplying(self._paired(keys, by, claim.context))
         if isinstance(claim, Always):
             if by is None:
                 return ToBeFound()
             pair = by if isinstance(by, list) and len(by) == 2 else [by, by]
-            start, after = (self._names([*keys, "by"], text) for text in pair)
+            start, after = (self._paired(keys, text, claim.context, "carried") for text in pair)
             return ByInduction(start, after)
         if "instance" in table:
             fact = table["instance"]
             values = self._values([*keys, "at"], table.get("at"), self.homes[fact] or "", home)
-            return ByInstance(fact, values, self._names([*keys, "by"], by))
+            return ByInstance(fact, values, self._paired(keys, by, self.homes[fact]))
         if "rule" in table:
             return self._rule(keys, table, claim, home)
         if (
@@ -478,8 +503,9 @@ class Lines:
         ):
             return ToBeFound()
         if isinstance(by, list):
-            sides = self._entries(keys, table, "rhs")
-            return ByLeast(self._branches(keys, by, home), *sides)
+            equation, side = self._entries(keys, table, "rhs")
+            entries = self._extremum(keys, claim, equation, side).children
+            return ByLeast(self._branches(keys, by, entries, home), equation, side)
         return self._sum(keys, table, home)
 
     def _rule(self, keys: Keys, table: Mapping[str, Any], claim: Claim, home: str | None) -> Reason:
@@ -513,11 +539,19 @@ class Lines:
         found = self._sum(keys, table, home)
         if isinstance(found, BySum):
             raise self.places.error(keys, "products are written for each entry: by = [...]")
-        extremum = claim.lhs if side == "lhs" else claim.rhs
-        extremum = extremum if equation is None else self._meaning(equation)
-        if extremum.op not in ("min", "max"):
-            raise self.places.error(keys, "that side is no minimum or maximum; write of = ...")
-        return ByLeast((found,) * len(extremum.children), equation, side)
+        entries = self._extremum(keys, claim, equation, side).children
+        return ByLeast((found,) * len(entries), equation, side)
+
+    def _extremum(self, keys: Keys, claim: Claim, equation: str | None, side: str) -> Term:
+        """The minimum or maximum on a side, or the one that an equation says it is."""
+        found = claim.lhs if side == "lhs" else claim.rhs
+        found = found if equation is None else self._meaning(equation)
+        if found.op not in ("min", "max"):
+            where = "left" if side == "lhs" else "right"
+            what = f"the {where} side is no minimum or maximum"
+            instead = 'write its equation as of = ..., or side = "lhs", or one text as by'
+            raise self.places.error(keys, f"{what}; {instead}")
+        return found
 
     def _meaning(self, equation: str) -> Term:
         """The right side of an equation, or of the definition of a constant."""
@@ -532,7 +566,8 @@ class Lines:
             what = 'write of = "min(a, b)", or max, and by = [...] with a sum for each entry'
             raise self.places.error(keys, what)
         assumed = tuple(f"@{i}" for i, _ in enumerate(of.children, 1))
-        branches = [b for b in self._branches(keys, by, home, assumed) if isinstance(b, BySum)]
+        found = self._branches(keys, by, of.children, home, assumed)
+        branches = [b for b in found if isinstance(b, BySum)]
         if len(branches) < len(by):
             raise self.places.error(keys, 'write the products for each entry: "goal + a*b"')
         return ByCases(of, tuple(branches))
@@ -543,16 +578,18 @@ class Lines:
         inside = self.page.scope.inside(home)
         place = [*keys, "by"]
         text = self.page.text(place, table.get("by", ""), "names of facts")
-        known = [*self.claims, *self.homes, *assumed]
 
         def term(inner: str) -> Term:
             return read_term(self.places.where(place, text), inner, inside)
 
-        addends = read_by(self.places.where(place, text), text, known, term)
+        def fact(name: str) -> None:
+            self._fact(place, name, assumed)
+
+        addends = read_by(self.places.where(place, text), text, fact, term)
         using = self._names([*keys, "using"], table.get("using", ""), assumed)
+        self._equations([*keys, "using"], [name for name in using if name not in assumed])
         plus = self.page.values([*keys, "plus"], table.get("plus", {}), inside)
-        for fact in plus:
-            self._fact([*keys, "plus"], fact)
+        self._equations([*keys, "plus"], plus)
         equations = tuple(plus.items())
         if not isinstance(addends, Facts):
             return BySum(addends, using, equations)
@@ -570,29 +607,72 @@ class Lines:
         return [name for name in self.facts if self.homes.get(name) in around]
 
     def _branches(
-        self, keys: Keys, by: Sequence[object], home: str | None, assumed: Sequence[str] = ()
+        self,
+        keys: Keys,
+        by: Sequence[object],
+        entries: Sequence[object],
+        home: str | None,
+        assumed: Sequence[str] = (),
     ) -> tuple[BySum | ByNames, ...]:
         """The sums for the entries of a minimum or maximum."""
+        if len(by) != len(entries):
+            what = f"it has {len(by)} texts for {len(entries)} entries; write one for each"
+            raise self.places.error([*keys, "by"], what)
         tables = [entry if isinstance(entry, dict) else {"by": entry} for entry in by]
         place = [*keys, "by"]
         return tuple(
-            self._sum(place, self.page.table(place, table, BRANCH), home, assumed)
+            self._sum(keys, self.page.table(place, table, BRANCH), home, assumed)
             for table in tables
         )
 
     def _names(self, keys: Keys, value: object, assumed: Sequence[str] = ()) -> tuple[str, ...]:
         """The facts of which a text has the names."""
+        self._is_there(keys, value, "names of facts")
         names = self.page.text(keys, value, "names of facts").split()
         for name in names:
-            if name not in assumed:
-                self._fact(keys, name)
+            self._fact(keys, name, assumed)
         return tuple(names)
 
-    def _fact(self, keys: Keys, name: str) -> None:
-        if name not in self.claims and name not in self.homes:
-            known = [*self.claims, *self.homes]
-            instead = nearest(name, known, "write names of what is given, or of earlier lines")
-            raise self.places.error(keys, f"{shown(name)} is no fact known here; {instead}")
+    def _paired(
+        self, keys: Keys, value: object, context: str | None, kind: str | None = None
+    ) -> tuple[str, ...]:
+        """The facts that say, given by given, that those of a context hold."""
+        place, found = [*keys, "by"], self._names([*keys, "by"], value)
+        if context in self.page.contexts:
+            givens = self.page.contexts[context].givens
+            names = [given.name for given in givens if kind in (None, given.kind)]
+            if len(names) != len(found):
+                what = f"it names {len(found)} facts; write one for each of {', '.join(names)}"
+                raise self.places.error(
+                    place, what if names else f'{context} has no givens; by = ""'
+                )
+        return found
+
+    def _is_there(self, keys: Keys, value: object, what: str) -> None:
+        """Afterwards a key that is needed has a value."""
+        if value is None:
+            raise self.places.error(keys, f'is missing; write {what} as {keys[-1]} = "..."')
+
+    def _fact(self, keys: Keys, name: str, assumed: Sequence[str] = ()) -> None:
+        """Afterwards a name is that of a fact, or of what a case assumes."""
+        if name in self.claims or name in self.homes or name in assumed:
+            return
+        if name in self.names:
+            what = f"{shown(name)} is this line, a later one, or one that is false"
+            raise self.places.error(keys, f"{what}; name facts that are shown before")
+        known = [*self.claims, *self.homes]
+        otherwise = "write names of what is given, of earlier lines, or of constants"
+        instead = nearest(name, known, otherwise)
+        raise self.places.error(keys, f"{shown(name)} is no fact known here; {instead}")
+
+    def _equations(self, keys: Keys, names: Iterable[str]) -> None:
+        """Afterwards names are those of equations, or of definitions."""
+        for name in names:
+            self._fact(keys, name)
+            claim = self.claims.get(name)
+            if claim is not None and claim.relation != "=":
+                what = f"{shown(name)} is no equation"
+                raise self.places.error(keys, f"{what}; name it in by, or name an equation")
 
 
 def _passed_over(table: Mapping[str, Any]) -> Iterator[str]:
@@ -630,15 +710,28 @@ def _fields(table: Mapping[str, Any], keys: Sequence[str] = _FIELDS) -> dict[str
     return {key: table[key] for key in keys if key in table}
 
 
-def _terms(line: Line) -> Iterator[Term]:
-    """The terms in a line: those of its claim, and those in its reason."""
+def _where(home: str | None) -> str:
+    return "outside of contexts" if home is None else f"in {home}"
+
+
+def _rows_of(chapter: object) -> Iterable[str]:
+    """The names of the lines of a chapter, if it has any."""
+    rows = chapter.get("rows") if isinstance(chapter, dict) else None
+    return rows if isinstance(rows, dict) else ()
+
+
+def _terms(line: Line, *, inside: bool = True) -> Iterator[Term]:
+    """The terms in a line: those of its claim, and those in its reason.
+
+    Those of the next state of an induction are terms inside of its context.
+    """
     claim = line.claim
     if isinstance(claim, Claim):
         yield from (claim.lhs, claim.rhs)
     elif isinstance(claim, Applies):
         yield from claim.at.values()
     else:
-        yield from (*claim.start.values(), *claim.next.values())
+        yield from (*claim.start.values(), *(claim.next.values() if inside else ()))
     reason = line.reason.reason if isinstance(line.reason, ByNegation) else line.reason
     if isinstance(reason, ByCases):
         yield reason.of

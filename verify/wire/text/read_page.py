@@ -27,9 +27,10 @@ from verify.language.record import TYPE_CHECKING
 from verify.language.statement import Cite
 from verify.wire.inputs import InputError
 from verify.wire.text import Page
+from verify.wire.text.entries import spelled_out
 from verify.wire.text.page_tables import Reader
 from verify.wire.text.places import Places
-from verify.wire.toml import TooLongError, toml_of
+from verify.wire.toml import TWICE, TooLongError, toml_of
 
 if TYPE_CHECKING:
     from verify.language.argument import Chapter
@@ -37,8 +38,7 @@ if TYPE_CHECKING:
 
 #: What to write in place of what is no TOML: where its reader says so, and elsewhere.
 NO_TOML: Mapping[str, str] = {
-    "Cannot overwrite a value": "a name stands there twice, choose another",
-    "Cannot declare": "a table stands there twice, write its lines together",
+    **TWICE,
     "Unescaped '\\'": "TeX is not read, write for example (a/b)*sqrt(x) <= alpha",
 }
 IN_QUOTES = "write formulas and Greek names in quotes"
@@ -74,8 +74,9 @@ def _read(path: str, content: bytes) -> tuple[dict[str, Any], Places]:
     except ValueError as error:
         why = " ".join(str(error).split())
         instead = next((text for part, text in NO_TOML.items() if part in why), IN_QUOTES)
-        raise InputError(f"{path}: is no TOML file ({why}); {instead}") from error
-    return table, Places(path, text)
+        raise InputError(f"{path}: is not valid TOML ({why}); {instead}") from error
+    places = Places(path, text)
+    return spelled_out(table, places), places
 
 
 def _chapters(page: Reader, value: object) -> tuple[Chapter, ...]:

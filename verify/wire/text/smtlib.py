@@ -135,10 +135,12 @@ class _File:
             if not isinstance(tree, list) or not tree or not isinstance(tree[0], Word):
                 raise self.source.error(tree, "is no command; write (assert ...)")
             head = tree[0]
-            if head == "exit":
-                break
-            if head not in commands or head.quoted:
+            if head.quoted or head not in (*commands, "exit"):
                 raise self.source.error(tree, f"the command {shown(head)} cannot be used")
+            if head == "exit":
+                if len(tree) > 1:
+                    raise self._no(tree, "(exit)")
+                break
             commands[head](tree)
         if not self.questions:
             self._keep(0)
@@ -222,7 +224,10 @@ class _File:
 
     def _assert(self, tree: Tree) -> None:
         match tree:
-            case ["assert", ["!", body, ":named", Word() as name]]:
+            case [
+                "assert",
+                [Word("!", quoted=False), body, Word(":named", quoted=False), Word() as name],
+            ]:
                 found = self.reader.formula(body, self.reader.globals)
                 self._new(name, found)
             case ["assert", body]:
@@ -265,7 +270,7 @@ class _File:
         match tree:
             case [_]:
                 return 1
-            case [_, Word() as number] if re.fullmatch("0|[1-9][0-9]{0,5}", number):
+            case [_, Word(quoted=False) as number] if re.fullmatch("0|[1-9][0-9]{0,5}", number):
                 return int(number)
         raise self._no(tree, "(push 1) or (pop 1)")
 

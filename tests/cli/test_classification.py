@@ -7,6 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+import jsonschema
 import pytest
 
 from verify import check
@@ -14,6 +15,7 @@ from verify.cli import main
 from verify.paper.commands import classification as job
 from verify.paper.source import PAPER
 
+SCHEMA = Path(__file__).parents[2] / "certificates/schema/classification.schema.json"
 COUNTS = {
     "0.072": "64",
     "0.0725": "35",
@@ -37,6 +39,52 @@ def document(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, Any]:
     assert (code, err) == (0, "")
     found: dict[str, Any] = json.loads(out)
     return found
+
+
+def test_masses(capsys: pytest.CaptureFixture[str]) -> None:
+    """The least r for which a ball between heavier ones is excluded rises as it gets lighter."""
+    found = document(capsys, "--r", "0.3", "--masses", "1,2,3")
+    jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(found)
+    assert [one["collapse"] for one in found["middles"]] == ["excluded"] * 3
+    light = document(capsys, "--r", "0.3", "--masses", "0.15,1,1")
+    assert [one["collapse"] for one in light["middles"]] == ["not excluded", *["excluded"] * 2]
+    assert not light["middles"][0]["comes_to_rest"]
+    equal = document(capsys, "--r", "0.06", "--masses", "7,7,7")
+    assert {(one["collapse"], one["comes_to_rest"]) for one in equal["middles"]} == {
+        ("not excluded", True)
+    }
+    low, high = (Fraction(x) for x in equal["middles"][1]["largest_r"])
+    assert (7 - low) ** 2 >= 48 >= (7 - high) ** 2
+
+
+@pytest.mark.parametrize("r", ["0.3", "1/2", "0.9"])
+def test_how_light_a_ball_must_be(capsys: pytest.CaptureFixture[str], r: str) -> None:
+    """Between two of mass 1 it is excluded just if 2√r m > (1-√r)², at rest if r^(1/3) m > …²."""
+    root = float(Fraction(r)) ** 0.5
+    cube = float(Fraction(r)) ** (1 / 3)
+    for most, name, value in (
+        ((1 - root) ** 2 / (2 * root), "collapse", "excluded"),
+        ((1 - cube) ** 2 / cube, "comes_to_rest", True),
+    ):
+        for factor in (0.999, 1.001):
+            mass = f"{most * factor:.9f}"
+            one = document(capsys, "--r", r, "--masses", f"{mass},1,1")["middles"][0]
+            assert (one[name] == value) == (factor > 1)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["--masses", "1,2,3"],
+        ["--r", "0.3", "--masses", "1,2"],
+        ["--r", "0.3", "--masses", "1,2,0"],
+        ["--r", "0.3", "--masses", "1,2,x"],
+    ],
+)
+def test_masses_that_are_refused(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
+    code, out, err = run(capsys, *words)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert "--masses" in err
 
 
 def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from verify.cli import claims
 from verify.cli.files import test_folder
 from verify.cli.options import Options, Usage
-from verify.paper.commands.classification import at_restitution, verdict_at
+from verify.paper.commands.classification import at_masses, at_restitution, verdict_at
 from verify.paper.commands.pages import accepted
 from verify.paper.meaning import MEANING
 from verify.paper.source import PAPER
@@ -13,21 +15,44 @@ from verify.prover.outcome import EXIT_CODES
 from verify.spheres.parameters import restitution
 from verify.views.classification import (
     classification_document,
+    masses_document,
+    masses_lines,
     meaning_lines,
     restitution_document,
     restitution_lines,
     theorem_lines,
 )
 from verify.views.row_lists import screen
+from verify.wire.inputs import InputError, rational, shown
 
 USAGE = Usage(
-    {"--r R": "what the theorems say at R in ]0,1[ (exact: 0.08, 2/25 or 8e-2)", **claims.OPTIONS}
+    {
+        "--r R": "what the theorems say at R in ]0,1[ (exact: 0.08, 2/25 or 8e-2)",
+        "--masses M,M,M": "and of three balls with these masses, with --r",
+        **claims.OPTIONS,
+    }
 )
+
+
+def masses_in(text: str) -> tuple[Fraction, ...]:
+    """The three masses.
+
+    Raises:
+        InputError: if they are not three positive numbers.
+    """
+    words = text.split(",")
+    found = tuple(rational("--masses", word.strip()) for word in words)
+    if len(found) != 3 or min(found) <= 0:
+        raise InputError(f"--masses: {shown(text)} are not three positive numbers; write 1,2,3")
+    return found
 
 
 def run(options: Options) -> int:
     """Print the theorems or the document, write the files, return the exit code."""
     r = None if options.r is None else restitution(options.r)
+    masses = None if options.masses is None else masses_in(options.masses)
+    if masses is not None and r is None:
+        raise InputError("--masses: add --r R, the coefficient of restitution of all pairs")
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = accepted("classification")
     found = None if r is None else at_restitution(r)
@@ -39,6 +64,11 @@ def run(options: Options) -> int:
     if found is not None:
         document |= restitution_document(found)
         text += ["", *restitution_lines(found)]
+    if masses is not None and r is not None:
+        accepted("classification_of_balls")
+        about = at_masses(masses, r)
+        document |= masses_document(about)
+        text += ["", *masses_lines(about)]
     if verdict != outcome.verdict:
         document |= {"verdict": verdict, "headline": verdict}
         text += [f"{verdict.capitalize()}: the longest run at this r"]

@@ -10,7 +10,7 @@ from verify.prover.decimals import exact_number, rational_text, short
 from verify.prover.outcome import Outcome
 from verify.publication import Publication
 from verify.views.document import claims_document, pair
-from verify.views.findings import AtR
+from verify.views.findings import AtMasses, AtR
 from verify.views.words import summary
 
 FORMAT = "verify-classification/1"
@@ -106,6 +106,42 @@ def restitution_lines(found: AtR) -> Iterator[str]:
                 "  as r > 9-4√5, both velocities relative to the middle ball tend to 0 in it, as "
                 "on a line: the angular momentum about the centre of mass is 0"
             )
+
+
+def masses_lines(found: AtMasses) -> Iterator[str]:
+    """What is possible with three masses at one r."""
+    masses = ", ".join(map(exact_number, found.masses))
+    yield f"At r = {exact_number(found.r)}, balls of masses {masses} and any radii"
+    for one in found.middles:
+        most = f"(none for r > {short(one.largest_r)})"
+        if one.excluded:
+            yield f"  no collapse has ball {one.ball} in the middle {most}"
+        elif one.comes_to_rest:
+            yield (
+                f"  a collapse about ball {one.ball} is not excluded {most}; all relative motion "
+                "ends in it, and the angular momentum is 0"
+            )
+        else:
+            yield f"  a collapse about ball {one.ball} is not excluded {most}"
+    if all(one.excluded for one in found.middles):
+        yield "  no collapse: finitely many collisions, or a triple contact"
+    elif all(one.comes_to_rest for one in found.middles):
+        yield "  with angular momentum finitely many collisions, or a triple contact"
+    yield "  given certificates/classification-of-balls"
+
+
+def masses_document(found: AtMasses) -> dict[str, Any]:
+    """The part of the document that belongs to three masses."""
+    middles = [
+        {
+            "ball": one.ball,
+            "collapse": "excluded" if one.excluded else "not excluded",
+            "comes_to_rest": one.comes_to_rest,
+            "largest_r": pair(one.largest_r),
+        }
+        for one in found.middles
+    ]
+    return {"masses": [rational_text(mass) for mass in found.masses], "middles": middles}
 
 
 def classification_document(outcome: Outcome) -> dict[str, Any]:

@@ -78,6 +78,27 @@ class AtR(Record):
     comes_to_rest: bool
 
 
+class AboutMiddle(Record):
+    """What is possible with one of three balls in the middle, all pairs with the same r.
+
+    ``excluded``: no collapse has it in the middle. ``comes_to_rest``: all relative motion ends in
+    one. ``largest_r`` encloses the number above which the first is so.
+    """
+
+    ball: int
+    excluded: bool
+    comes_to_rest: bool
+    largest_r: Ends
+
+
+class AtMasses(Record):
+    """The same of three masses, each in the middle."""
+
+    r: Fraction
+    masses: tuple[Fraction, ...]
+    middles: tuple[AboutMiddle, ...]
+
+
 class Complex(Record):
     """A complex number enclosed by real and imaginary part."""
 

@@ -61,7 +61,7 @@ def test_the_theorem_is_proved_and_small() -> None:
 
 def test_what_is_assumed() -> None:
     kinds = [assumption.kind for assumption in decided().assumptions]
-    assert kinds == [*["definition"] * 2, "general mathematics", *["numbered glue"] * 4]
+    assert kinds == [*["definition"] * 2, "general mathematics", *["numbered glue"] * 5]
 
 
 def test_glue_names_facts_that_are_there() -> None:

@@ -85,9 +85,9 @@ CASES: dict[str, tuple[Scene, str, int, str]] = {
     "two-contacts": (touching((-1, 0), [(-1, 0)]), "undecided", 0, "triple-contact"),
     "contact-and-collision-at-once": (
         touching((-1, 0), [(-1, 0)], (-1, 0)),
-        "undecided",
-        0,
-        "triple-contact",
+        "disperses",
+        1,
+        "apart",
     ),
     "all-at-rest": (scene("0.03", (REST, (2, 0), (0, 2)), (REST,) * 3), "disperses", 0, "apart"),
     "never-meet": (

@@ -6,18 +6,22 @@ from collections import Counter
 from fractions import Fraction
 from pathlib import Path
 from random import Random
+from typing import Any
 
+import mpmath
 import pytest
 
 from tests.spheres.scene.agreement import contradictions
 from tests.spheres.scene.test_unequal import unequals
 from verify.cli import main
 from verify.language.statement import PROVED
+from verify.measure.simulation import simulate
 from verify.paper.commands.regenerate import is_right_statement
 from verify.paper.commands.scene import scene_outcome
 from verify.spheres.flow.collapse import LINE, THREE_BALLS
 from verify.spheres.scene.criteria import INELASTIC
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Budget, decide_scene
+from verify.spheres.scene.energy import energy_at_start
 from verify.spheres.scene.families import read_family
 from verify.spheres.scene.middle import Middle, excluded, middles
 from verify.spheres.scene.scene import PAIRS, Bodies, Scene
@@ -197,3 +201,47 @@ def test_a_condition_takes_the_pairs_of_the_middle_ball() -> None:
         0, (1, 2), Fraction(1), (Fraction(1), Fraction(1)), (Fraction(1, 4), Fraction(1, 100))
     )
     assert excluded(near) is not None  # b² = 101/320 < (1/2 + 1/10)²
+
+
+# --- the energy at the end -----------------------------------------------------------------------
+
+
+def lost_in(scene: Scene, collisions: int, digits: int) -> Any:
+    """The energy that so many collisions take in a simulation."""
+    with mpmath.workdps(digits):
+        seen = simulate(scene, collisions, digits)
+        masses = [mpmath.mpf(m.numerator) / m.denominator for m in scene.bodies.masses]
+        times = [mpmath.mpf(0), *(impact.time for impact in seen)]
+        start = [[mpmath.mpf(a.numerator) / a.denominator for a in x] for x in scene.positions]
+        places = [start, *(impact.positions for impact in seen)]
+
+        def energy(n: int) -> Any:
+            """Of the n-th flight, from where it begins and ends."""
+            wait = times[n + 1] - times[n]
+            speeds = (
+                [(b - a) / wait for a, b in zip(*rows, strict=True)]
+                for rows in zip(places[n], places[n + 1], strict=True)
+            )
+            both = zip(masses, speeds, strict=True)
+            return sum(m * mpmath.fdot(v, v) for m, v in both) / 2
+
+        return energy(0) - energy(len(seen) - 1)
+
+
+def test_the_energy_that_a_collapse_takes_is_enclosed() -> None:
+    """A simulation goes on for 60 collisions more."""
+    rng, count = Random(6), 0
+    while count < 8:
+        scene = with_restitutions(nearly_in_line(rng), rng, 100)
+        found = decide_scene(scene, Budget(400, digits=12))
+        if found.verdict != COLLAPSES or found.name != THREE_BALLS:
+            continue
+        count += 1
+        low, high = told(found).energy
+        with mpmath.workdps(400):
+            lost = lost_in(scene, found.collisions + 60, 400)
+            least, most = (mpmath.mpf(x.numerator) / x.denominator for x in (low, high))
+            assert least <= lost <= most
+        more = told(decide_scene(scene, Budget(400, digits=120))).energy
+        assert low <= more[0] <= more[1] <= high <= energy_at_start(found.flow)
+        assert more[1] - more[0] < (high - low) / 2

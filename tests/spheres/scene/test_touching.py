@@ -35,9 +35,10 @@ HALF = Fraction(1, 2)
 ORDERS = [*permutations(range(3))]
 
 
-def times_of(found: Fate) -> list[Fraction]:
+def times_of(found: Fate) -> list[Fraction | None]:
     """The times of the collisions, where they are rational."""
-    return [balls.as_fraction(move.after.time) for move in found.flow.collisions]
+    times = (move.after.time for move in found.flow.collisions)
+    return [balls.as_fraction(x) if balls.is_rational(x) else None for x in times]
 
 
 def renamed(scene: Scene, order: tuple[int, ...]) -> Scene:
@@ -93,6 +94,18 @@ def test_two_that_approach_at_once_on_a_line_stay_undecided() -> None:
     assert (found.verdict, found.why, found.collisions) == (UNDECIDED, TRIPLE, 0)
     later = both.replace(b"[4, 0]]", b"[3, 0]]")  # in contact, and approached: it collides first
     assert decide_scene(read_scene("a", later)).collisions >= 1
+
+
+def test_collisions_without_end_at_one_time_are_no_answer() -> None:
+    """The ball that is hit throws itself to and fro between the two others, in no time."""
+    text = CRADLE.replace(b"0.95", b"0.03")
+    found = decide_scene(read_scene("a", text), Budget(300))
+    assert (found.verdict, found.why, found.collisions) == (UNDECIDED, TRIPLE, 0)
+    masses = read_scene("a", text + b"masses = [1, 1, 2]\n")
+    found = decide_scene(masses, Budget(300))
+    assert (found.verdict, found.why, found.collisions) == (UNDECIDED, TRIPLE, 0)
+    assert found.event is not None
+    assert (found.event.time, found.event.pairs) == (1, ("01", "12"))
 
 
 # --- a second way of computing -------------------------------------------------------------------

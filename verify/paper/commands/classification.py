@@ -7,7 +7,7 @@ from fractions import Fraction
 from verify.language.statement import PROVED, UNDECIDED
 from verify.paper.commands.pages import decide
 from verify.prover.outcome import Outcome
-from verify.views.findings import AtR
+from verify.views.findings import AboutMiddle, AtMasses, AtR
 
 #: Bits of the least final -cos.
 BITS = 160
@@ -35,6 +35,26 @@ def at_restitution(r: Fraction) -> AtR:
     longest = longest_run(r) if excluded else None
     comes_to_rest = r**2 - 18 * r + 1 < 0
     return AtR(r, least, excluded, longest, excluded and longest is None, comes_to_rest)
+
+
+def at_masses(masses: tuple[Fraction, ...], r: Fraction) -> AtMasses:
+    """What the classification of balls says of three masses and one r in ]0,1[, exactly.
+
+    b² is (1+r)²M, so that b < 2√r just if r > (1-√(1-M))/(1+√(1-M)) = M/(1+√(1-M))².
+    """
+    from verify.prover import balls  # flint is loaded only where it is used
+    from verify.spheres.scene.middle import Middle, excluded, rests
+
+    found = []
+    for o, i, j in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
+        middle = Middle(o, (i, j), masses[o], (masses[i], masses[j]), (r, r))
+        share = middle.square / (1 + r) ** 2
+        with balls.precision(BITS):
+            rest = 1 + balls.root(balls.from_fraction(1 - share))
+            largest = balls.ends(balls.from_fraction(share) / (rest * rest))
+        never, at_rest = (shown(middle) is not None for shown in (excluded, rests))
+        found.append(AboutMiddle(o, never, at_rest, largest))
+    return AtMasses(r, masses, tuple(found))
 
 
 def verdict_at(outcome: Outcome, found: AtR | None) -> str:

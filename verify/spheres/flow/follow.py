@@ -150,8 +150,11 @@ class Flow:
         return False
 
     def end_after(self, collisions: int) -> None:
-        """Forget all that comes after so many collisions, which are at least one."""
+        """Forget all that comes after so many collisions."""
         del self.collisions[collisions:]
+        if not self.collisions:
+            self.moves.clear()
+            return
         last = self.collisions[-1]
         del self.moves[1 + next(i for i, move in enumerate(self.moves) if move is last) :]
 
@@ -278,7 +281,7 @@ def touching(state: State, way: Flight, sizes: Sizes) -> Weights | None:
     None unless balls or exact numbers show it.
     """
     time, spectator, other = way.y * way.T, inner(state)[1], outer(state, sizes)
-    if not (_never_overlaps(spectator, time) and _never_overlaps(other, time)):
+    if not all(_never_overlaps(pair, time) for pair in (spectator, other)):
         return None
     own = _weight(spectator.p + spectator.m * time, parted(state, way))
     rate = other.p + other.m * time
@@ -294,9 +297,13 @@ def touching(state: State, way: Flight, sizes: Sizes) -> Weights | None:
 
 
 def _never_overlaps(pair: Pair, time: Number) -> bool:
-    """True only if the pair is apart or in contact up to the time."""
+    """True only if the pair is apart or in contact up to the time, and does not graze then."""
     g, p, m = pair
-    return bool(g >= 0) and bool(g + p * time >= 0) and bool(g + time * (2 * p + m * time) >= 0)
+    end = g + time * (2 * p + m * time)
+    is_known = end > 0 or time == 0 or (p == 0 and m == 0)
+    if not is_known and not p + m * time < 0:
+        return False
+    return bool(g >= 0) and bool(g + p * time >= 0) and bool(end >= 0)
 
 
 def _weight(rate: Number, gap: Number) -> Fraction | None:

@@ -15,7 +15,7 @@ from verify.spheres.flow.collapse import (
 )
 from verify.spheres.flow.exact_events import GRAZING, TRIPLE, Event, what_happens
 from verify.spheres.flow.exact_events import SAYS as EVENTS
-from verify.spheres.flow.follow import Flow, UnclearError
+from verify.spheres.flow.follow import Flow, UnclearError, name_of
 from verify.spheres.flow.line import LineRun, follow_line, is_on_a_line
 from verify.spheres.flow.sandwich import find_sandwich
 from verify.spheres.flow.three_balls import Bodies, find_three_balls, scaled
@@ -34,6 +34,8 @@ MAX_COLLISIONS = 1000
 MAX_DIGITS = 200
 #: More collisions on a line than this cost the flow more digits than they are worth.
 LONG_LINE = 200
+#: More collisions at one time are no end of them that the law of pairs knows.
+MANY_AT_ONCE = 100
 #: After n collisions the sharper theorem is tried again n/PATIENCE collisions later.
 PATIENCE = 16
 
@@ -143,7 +145,8 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
                     return Fate(DISPERSES, "no pair meets any more", flow, why=APART)
                 wait -= 1
             reason, why = spent(budget), BUDGET
-            criterion = None if known else finitely_many(flow)
+            event = None if known else in_no_time(flow)
+            criterion = None if known or event else finitely_many(flow)
         except UnclearError as error:
             reason, why, criterion = str(error), error.name, None
             event = None if known else what_happens(flow)
@@ -153,6 +156,22 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
             return Fate(UNDECIDED, told_event(event), flow, why=event.name, event=event)
         verdict = UNDECIDED if criterion is None else FINITE
         return Fate(verdict, reason, flow, None, criterion, None, why)
+
+
+def in_no_time(flow: Flow) -> Event | None:
+    """Three spheres in contact if many collisions were at that time; those are forgotten."""
+    count = 0
+    for move in reversed(flow.collisions):
+        count += 1
+        time = None if move.way is None or move.weights is None else move.way.T
+        if time is None or time != 0:
+            break
+    if count <= MANY_AT_ONCE or flow.now is None:
+        return None
+    names = sorted(name_of(move.before.frame) for move in flow.collisions[-2:])
+    event = Event(TRIPLE, (names[0], names[1]), flow.now.time)
+    flow.end_after(len(flow.collisions) - count)
+    return event
 
 
 def spent(budget: Budget) -> str:

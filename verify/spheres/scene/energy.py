@@ -11,7 +11,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from verify.prover import balls
-from verify.spheres.flow.collapse import LINE, SHARPER
+from verify.spheres.flow.collapse import LINE, SHARPER, THREE_BALLS, Collapse
 from verify.spheres.flow.follow import Flow, Move
 from verify.spheres.flow.law import Number
 from verify.spheres.scene.decide import DISPERSES, Fate
@@ -57,9 +57,7 @@ def energy_lost(found: Fate) -> tuple[Fraction, Fraction]:
         lost = balls.as_ball(balls.exact(Fraction(0)))
         for move, speed in zip(found.flow.collisions, normal_speeds(found), strict=True):
             lost += _share(found, move) * speed**2
-        mass = balls.exact(masses_of(found.flow.scene)[0])
-        later = (1 - found.flow.r**2) * mass / 4 * _later(found)
-        most = balls.ends(lost + later)[1]
+        most = balls.ends(lost + _later(found))[1]
         least = balls.ends(lost)[0]
     if not _is_bounded(found):
         most = all_of_it
@@ -71,20 +69,41 @@ def _is_bounded(found: Fate) -> bool:
     if found.collapse is not None:
         scene = found.flow.scene
         is_one = scene.has_one_mass and scene.restitutions is None
-        return is_one and found.collapse.theorem in (LINE, SHARPER)
+        theorem = found.collapse.theorem
+        return theorem == THREE_BALLS or (is_one and theorem in (LINE, SHARPER))
     return found.verdict == DISPERSES and found.line is None
 
 
 def _later(found: Fate) -> Number:
-    """At least the sum of the squares of all later speeds of a collapse: y²/(1 - L²).
+    """At least the energy that all later collisions of a collapse take.
 
     The speeds at which the pairs in turn approach begin with y and each is at most L times the one
-    before; they meet no faster. On a line the factor is (1+r)/2 - q; in the sharper theorem it is
-    at most p + Y; the sandwich theorem is not asked for one.
+    before; they meet no faster, so that the sum of their squares is at most y²/(1 - L²). On a line
+    the factor is (1+r)/2 - q; in the sharper theorem it is at most p + Y; the sandwich theorem is
+    not asked for one.
     """
     end = found.collapse
     if end is None or not _is_bounded(found):
         return balls.exact(Fraction(0))
     x = end.numbers
+    if end.theorem == THREE_BALLS:
+        return _later_of_balls(end)
     largest = (1 + found.flow.r) / 2 if end.is_on_a_line else x["p"] + x["Y"]
-    return end.start.y**2 / (1 - largest**2)
+    mass = balls.exact(masses_of(found.flow.scene)[0])
+    square = end.start.y**2 / (1 - largest**2)
+    return (1 - found.flow.r**2) * mass / 4 * square
+
+
+def _later_of_balls(end: Collapse) -> Number:
+    """The same by the theorem on three balls, with speeds in units of the distances of contact.
+
+    They are at most y and Y_0 y in turn, and the product of Y_0 and Y_1 smaller with each two; a
+    pair meets at no more than Γ times the speed at which it approaches.
+    """
+    x = end.numbers
+    fall, total = x["Y_0"] * x["Y_1"], balls.exact(Fraction(0))
+    for i, factor in ((0, 1), (1, x["Y_0"])):
+        speed = x["G"] * x[f"sigma_{i}"] * factor * end.start.y
+        reduced = x["m"] * x[f"m_{i}"] / (x["m"] + x[f"m_{i}"])
+        total += (1 - x[f"r_{i}"] ** 2) * reduced / 2 * speed**2 / (1 - fall**2)
+    return total

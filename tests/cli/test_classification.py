@@ -12,6 +12,7 @@ import pytest
 from verify import check
 from verify.cli import main
 from verify.paper.commands import classification as job
+from verify.paper.commands import pages
 from verify.paper.source import PAPER
 
 COUNTS = {
@@ -41,7 +42,7 @@ def document(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, Any]:
 
 def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:
     _, out, _ = run(capsys, "-v")
-    for row in job.decide_classification().statement.obligations:
+    for row in pages.decide("classification").statement.obligations:
         assert f"[{row.name}, {PAPER.cited(row.label)}]" in out
 
 

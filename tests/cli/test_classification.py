@@ -13,6 +13,7 @@ import pytest
 from verify import check
 from verify.cli import main
 from verify.paper.commands import classification as job
+from verify.paper.commands import pages
 from verify.paper.source import PAPER
 
 SCHEMA = Path(__file__).parents[2] / "certificates/schema/classification.schema.json"
@@ -89,7 +90,7 @@ def test_masses_that_are_refused(capsys: pytest.CaptureFixture[str], words: list
 
 def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:
     _, out, _ = run(capsys, "-v")
-    for row in job.decide_classification().statement.obligations:
+    for row in pages.decide("classification").statement.obligations:
         assert f"[{row.name}, {PAPER.cited(row.label)}]" in out
 
 

@@ -19,7 +19,7 @@ from verify.cli import COMMANDS, main
 from verify.language.errors import OwnError
 from verify.language.statement import PROVED, UNDECIDED, Obligation, Statement
 from verify.language.terms import Claim, as_term
-from verify.paper.commands import classification, pages
+from verify.paper.commands import pages
 from verify.paper.commands.theorem1 import decide_point
 from verify.prover.ground import Ground
 from verify.prover.straight import StraightLine
@@ -291,7 +291,7 @@ def test_only_judges_make_judgements() -> None:
 
 
 def test_a_claim_without_a_judge_is_undecided() -> None:
-    draft = classification.decide_classification().draft
+    draft = pages.decide("classification").draft
     assert draft.claimed == PROVED
     assert draft.verdict == UNDECIDED
     assert {found.verdict for found in draft.decisions.values()} == {UNDECIDED}
@@ -299,7 +299,7 @@ def test_a_claim_without_a_judge_is_undecided() -> None:
 
 def test_a_judgement_is_about_the_claim_that_was_judged() -> None:
     """Another claim, another place, or other meanings of the names in it: nobody has judged it."""
-    found = classification.decide_classification()
+    found = pages.decide("classification")
     statement = found.statement
     name, context = "ratio-falls", statement.contexts[0]
     row = next(row for row in statement.obligations if row.name == name)

@@ -13,7 +13,7 @@ from verify import check
 from verify.cli import main, proofs
 from verify.cli.proofs import outcome_of
 from verify.language.statement import UNDECIDED
-from verify.paper.commands import index, pages, step
+from verify.paper.commands import index, pages
 from verify.paper.source import PAPER
 from verify.prover.outcome import CHECKER
 from verify.prover.rules import RULES, Sum
@@ -220,7 +220,7 @@ def test_a_row_that_is_left_open_has_no_proof() -> None:
 
 
 def test_a_proof_uses_only_what_was_proved_before() -> None:
-    for outcome in (step.decide_step(), pages.decide("all_parameters")):
+    for outcome in (pages.decide("step"), pages.decide("all_parameters")):
         seen: set[str] = set()
         for node in nodes(outcome).values():
             unknown = [name for name in node.uses if name not in seen and ":" not in name]

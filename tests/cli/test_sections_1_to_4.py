@@ -9,7 +9,7 @@ import pytest
 
 from verify import check
 from verify.cli import main
-from verify.paper.commands.sections_1_to_4 import decide_elsewhere
+from verify.paper.commands import pages
 from verify.publication import ACCUSATIONS
 
 
@@ -21,7 +21,7 @@ def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]
 
 def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:
     _, out, _ = run(capsys, "--verbose")
-    for row in decide_elsewhere().statement.obligations:
+    for row in pages.decide("sections_1_to_4").statement.obligations:
         assert f"[{row.name}, " in out
 
 
@@ -30,7 +30,7 @@ def test_the_document(capsys: pytest.CaptureFixture[str]) -> None:
     found = json.loads(out)
     assert (code, found["command"], found["verdict"]) == (0, "elsewhere", "proved")
     claims = {claim["name"]: claim for claim in found["claims"]}
-    rows = decide_elsewhere().statement.obligations
+    rows = pages.decide("sections_1_to_4").statement.obligations
     assert claims.keys() == {row.name for row in rows}
     refuted = {name for name, claim in claims.items() if claim["verdict"] == "refuted"}
     assert refuted == {row.name for row in rows if row.severity in ACCUSATIONS}

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator
+from fractions import Fraction
 from typing import Any
 
+from tests.citing import cited
 from verify import check
 from verify.language.statement import Context, Statement
 from verify.language.terms import Claim
@@ -17,7 +20,7 @@ from verify.wire.write import write
 def report(outcome: Outcome) -> check.Report:
     """What the checker finds."""
     files = write(outcome)
-    return check.check(files["statement.json"], files["certificate.json"], {})
+    return check.check(files["statement.json"], files["certificate.json"], cited(files))
 
 
 def answer(outcome: Outcome) -> str:
@@ -73,29 +76,39 @@ def standing(statement: Statement) -> list[str]:
     return [g.name for g in statement.context("state").givens if g.kind == "standing"]
 
 
-def accepted_lies(
-    outcome: Outcome, parts: int, too_long: tuple[str, ...] = ()
-) -> tuple[int, set[str]]:
-    """How many sums there are without one of their addends, and those that are not refused.
+def fewer(claim: Claim, proof: Sum) -> Iterator[tuple[Claim, Sum]]:
+    """The same claim by the sum without one of its addends."""
+    for i in range(len(proof.addends)):
+        yield claim, proof._replace(addends=but(proof.addends, i))
 
-    The checker bounds its work, so that they are tried in several parts.
+
+def stronger(claim: Claim, proof: Sum) -> Iterator[tuple[Claim, Sum]]:
+    """A little more on the smaller side, by the same sum."""
+    yield Claim(claim.relation, claim.lhs + Fraction(1, 1000), claim.rhs), proof
+
+
+def accepted_lies(
+    outcome: Outcome,
+    parts: int,
+    lies_about: Callable[[Claim, Sum], Iterable[tuple[Claim, Sum]]] = fewer,
+    too_long: tuple[str, ...] | None = None,
+) -> tuple[int, set[str]]:
+    """How many lies there are about the sums of a certificate, and those that are not refused.
+
+    Each is a lemma before the step that it is about. The checker bounds its work, so that they are
+    tried in several parts; sums that use just the equations in `too_long` are left out.
     """
     rows = {row.name: row for row in outcome.statement.obligations}
     lies: dict[str, list[LemmaStep]] = {}
     for step in outcome.steps:
-        if isinstance(step, LemmaStep):
-            claim: Any = step.claim
-            context, proof = step.context, step.proof
-        elif isinstance(step, ObligationStep):
-            claim, context, proof = rows[step.name].claim, rows[step.name].context, step.proof
-        else:
+        if not isinstance(step, LemmaStep | ObligationStep) or not isinstance(step.proof, Sum):
             continue
-        if not isinstance(proof, Sum) or proof.using == too_long:
-            continue
-        for i in range(len(proof.addends)):
-            fewer = proof._replace(addends=but(proof.addends, i))
-            lie = LemmaStep(f"lie.{step.name}.{i}", context, claim, fewer)
-            lies.setdefault(step.name, []).append(lie)
+        place = step if isinstance(step, LemmaStep) else rows[step.name]
+        if isinstance(place.claim, Claim) and step.proof.using != too_long:
+            lies[step.name] = [
+                LemmaStep(f"lie.{step.name}.{i}", place.context, *lie)
+                for i, lie in enumerate(lies_about(place.claim, step.proof))
+            ]
     left: set[str] = set()
     for part in range(parts):
         here = dict(list(lies.items())[part::parts])

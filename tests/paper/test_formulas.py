@@ -8,11 +8,8 @@ from pathlib import Path
 from verify.language.statement import NEEDED, Obligation
 from verify.paper import theorem1
 from verify.paper.commands import pages
-from verify.paper.commands.classification import decide_classification
 from verify.paper.commands.pages import page
-from verify.paper.commands.sections_1_to_4 import decide_elsewhere
 from verify.paper.commands.spectrum import cite_spectrum
-from verify.paper.commands.step import decide_step
 from verify.prover.outcome import Outcome
 from verify.prover.uses import nodes
 
@@ -96,11 +93,11 @@ def misprints() -> set[str]:
 
 def facts_elsewhere() -> set[str]:
     """The facts of the step and of other statements, and the rows that are refuted at states."""
-    found = misprints() | {f"step:{name}" for name in nodes(decide_step())}
+    found = misprints() | {f"step:{name}" for name in nodes(pages.decide("step"))}
     for prefix, outcome in (
-        ("elsewhere", decide_elsewhere()),
+        ("elsewhere", pages.decide("sections_1_to_4")),
         ("spectrum", cite_spectrum()),
-        ("classification", decide_classification()),
+        ("classification", pages.decide("classification")),
     ):
         statement = outcome.statement
         found |= {f"{prefix}:{row.name}" for row in statement.obligations}
@@ -197,8 +194,8 @@ def reaching(outcome: Outcome, ends: set[str]) -> set[str]:
 
 def theorems_of_the_step() -> set[str]:
     """The induction, and what the glue puts together: it names its facts, `inside-...` by kind."""
-    known = set(nodes(decide_step()))
-    glue = [a.sentence for a in decide_step().assumptions if a.name.startswith("glue")]
+    known = set(nodes(pages.decide("step")))
+    glue = [a.sentence for a in pages.decide("step").assumptions if a.name.startswith("glue")]
     named = {word.strip(".,:;()") for sentence in glue for word in sentence.split()} & known
     assert any("inside-..." in sentence for sentence in glue)
     assert named >= {"always", "time-total", "outer-pair-apart", "angle-final-upper"}
@@ -207,13 +204,13 @@ def theorems_of_the_step() -> set[str]:
 
 def on_a_path() -> set[str]:
     """The facts that the theorem rests on: those of the step, and the rows that make it apply."""
-    step = {f"step:{name}" for name in reaching(decide_step(), theorems_of_the_step())}
+    step = {f"step:{name}" for name in reaching(pages.decide("step"), theorems_of_the_step())}
     return step | reaching(pages.decide("all_parameters"), {"collapse"})
 
 
 def test_every_fact_of_the_step_is_on_a_path_to_the_theorem() -> None:
     found = on_a_path()
-    hanging = {row.name for row, _ in decide_step().rows if f"step:{row.name}" not in found}
+    hanging = {row.name for row, _ in pages.decide("step").rows if f"step:{row.name}" not in found}
     assert hanging == set(ASIDE)
 
 

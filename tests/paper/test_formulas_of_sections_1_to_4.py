@@ -10,11 +10,9 @@ import pytest
 
 from verify.language.statement import REFUTED
 from verify.paper import theorem1
-from verify.paper.commands.classification import decide_classification
+from verify.paper.commands import pages
 from verify.paper.commands.pages import decide
-from verify.paper.commands.sections_1_to_4 import decide_elsewhere
 from verify.paper.commands.spectrum import cite_spectrum
-from verify.paper.commands.step import decide_step
 from verify.paper.source import printed_numbers
 from verify.prover.outcome import Outcome
 from verify.prover.uses import nodes
@@ -139,12 +137,12 @@ def known_in(outcome: Outcome) -> set[str]:
 
 @cache
 def known() -> frozenset[str]:
-    found = known_in(decide_elsewhere()) | COMMANDS
-    found |= {a.name for a in decide_elsewhere().statement.assumptions}
+    found = known_in(pages.decide("sections_1_to_4")) | COMMANDS
+    found |= {a.name for a in pages.decide("sections_1_to_4").statement.assumptions}
     for prefix, outcome in (
-        ("step", decide_step()),
+        ("step", pages.decide("step")),
         ("spectrum", cite_spectrum()),
-        ("classification", decide_classification()),
+        ("classification", pages.decide("classification")),
         ("printed-set", decide("printed_set")),
     ):
         found |= {f"{prefix}:{name}" for name in known_in(outcome)}
@@ -198,12 +196,12 @@ def test_every_row_is_beside_what_it_is_about() -> None:
     other = (TABLE.parent / "formulas.md").read_text(encoding="utf-8")
     named = {name for cells in lines() for name in names(cells[3])}
     named |= {name.removeprefix("elsewhere:") for name in names(other)}
-    assert {row.name for row in decide_elsewhere().statement.obligations} <= named
+    assert {row.name for row in pages.decide("sections_1_to_4").statement.obligations} <= named
 
 
 def test_what_is_refuted_is_called_refuted() -> None:
     """A line does not lean on a row that is false without saying that it is."""
-    wrong = {row.name for row, d in decide_elsewhere().rows if d.verdict == REFUTED}
+    wrong = {row.name for row, d in pages.decide("sections_1_to_4").rows if d.verdict == REFUTED}
     wrong |= {f"spectrum:{row.name}" for row, d in cite_spectrum().rows if d.verdict == REFUTED}
     for cells in lines():
         if set(names(cells[3])) & wrong:
@@ -220,7 +218,7 @@ def test_what_is_refuted_is_called_refuted() -> None:
 
 def test_what_is_called_refuted_is_refuted() -> None:
     """The names after the word, up to where the sentence goes on, are those of false rows."""
-    wrong = {row.name for row, d in decide_elsewhere().rows if d.verdict == REFUTED}
+    wrong = {row.name for row, d in pages.decide("sections_1_to_4").rows if d.verdict == REFUTED}
     wrong |= {f"spectrum:{row.name}" for row, d in cite_spectrum().rows if d.verdict == REFUTED}
     found = 0
     for cells in lines():

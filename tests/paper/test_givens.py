@@ -10,7 +10,6 @@ from verify import check
 from verify.language.statement import Statement
 from verify.language.terms import Claim, as_term
 from verify.paper.commands import pages
-from verify.paper.commands.step import decide_step
 from verify.prover.outcome import Outcome
 from verify.prover.proof import OpenStep, Step
 from verify.prover.rules import Interval
@@ -19,7 +18,10 @@ from verify.wire.write import digest, write
 
 #: What stands in the place of a given that is dropped: its name says nothing any more.
 NOTHING = Claim("<", as_term(0), as_term(1))
-OUTCOMES = {"everywhere": partial(pages.decide, "all_parameters"), "step": decide_step}
+OUTCOMES = {
+    "everywhere": partial(pages.decide, "all_parameters"),
+    "step": partial(pages.decide, "step"),
+}
 
 
 def used_givens(outcome: Outcome) -> list[str]:

@@ -83,5 +83,61 @@ def test_what_cannot_be_included_is_refused(
 @pytest.mark.parametrize("name", pages.names())
 def test_the_digest_of_a_page_covers_what_it_includes(name: str) -> None:
     table, _ = toml_of(pages.content(name))
-    assert bool(table.get("include")) == bool(pages.included(name))
+    assert bool({"include", "rows_of"} & {*table}) == bool(pages.included(name))
     assert all(text in pages.whole(name) for text in pages.included(name).values())
+
+
+STATED = """
+title = "At a point"
+[parameters]
+a = "1/2"
+[[chapters]]
+group = "squares"
+[chapters.rows]
+small = { claim = "a^2 < a", says = "the square is smaller", label = "(1)" }
+large = { claim = "1 < a", says = "a is large", role = "printed", severity = "slip" }
+"""
+SHOWN = """
+title = "For all"
+rows_of = "stated.toml"
+[contexts.all]
+variables = "a"
+given = ["0 < a", "a < 1"]
+[[chapters]]
+in = "all"
+group = "here"
+rows = """
+SHOWN_ROWS = "'small: a^2 < a; by all.1 all.2; label (2); new: a < 2; by all.2'"
+
+
+def test_a_page_shows_the_rows_of_another(tmp_path: Path) -> None:
+    """Of a row with the same name the other page says what it means."""
+    text = SHOWN + SHOWN_ROWS
+    path = written(tmp_path, page=text, stated=STATED)
+    rows = {row.name: row for row in read_page(str(path), path.read_bytes()).statement.obligations}
+    assert (rows["small"].says, rows["small"].label) == ("the square is smaller", "(2)")
+    assert (rows["small"].group, rows["new"].group, rows["new"].says) == ("squares", "here", "")
+
+
+@pytest.mark.parametrize(
+    ("stated", "rows", "words"),
+    [
+        (STATED, "'small: a^3 < a; by all.1'", ("page.toml", "small", "another claim")),
+        ("rows_of = 'page.toml'\n" + STATED, SHOWN_ROWS, ("stated.toml", "rows_of")),
+        ("", SHOWN_ROWS, ("stated.toml", "title")),
+        ("title = 1", SHOWN_ROWS, ("stated.toml", "rows")),
+    ],
+)
+def test_another_claim_of_a_row_is_refused(
+    stated: str, rows: str, words: tuple[str, ...], tmp_path: Path
+) -> None:
+    path = written(tmp_path, page=SHOWN + rows, stated=stated)
+    with pytest.raises(InputError) as error:
+        read_page(str(path), path.read_bytes())
+    assert all(word in str(error.value) for word in words), str(error.value)
+
+
+def test_the_other_page_has_to_be_there(tmp_path: Path) -> None:
+    path = written(tmp_path, page=SHOWN + SHOWN_ROWS)
+    with pytest.raises(InputError, match=r"stated\.toml"):
+        read_page(str(path), path.read_bytes())

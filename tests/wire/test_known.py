@@ -10,7 +10,7 @@ from tests.paper.spectrum.page import changed
 from verify import check
 from verify.cli import main
 from verify.paper.commands import pages
-from verify.paper.commands.spectrum import PAGE, cite_spectrum, decide_spectrum, state_spectrum
+from verify.paper.commands.spectrum import PAGE, cite_spectrum, state_spectrum
 from verify.paper.parameters import ALL, AS_PRINTED
 from verify.prover.outcome import Outcome
 from verify.wire.judge import known
@@ -36,7 +36,7 @@ def test_the_printed_rows_come_as_they_are_decided() -> None:
 
 
 def test_what_is_cited_is_what_would_be_proved() -> None:
-    cited, decided = cite_spectrum(), decide_spectrum()
+    cited, decided = cite_spectrum(), pages.decide("spectrum")
     assert write(cited) == write(decided)
     assert cited.decisions.keys() == decided.decisions.keys()
     for name, found in decided.decisions.items():

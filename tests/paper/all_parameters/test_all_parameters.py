@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
-from functools import cache
 from pathlib import Path
 
 import pytest
 
+from tests.citing import cited
+from tests.paper.changed_statements import report
 from verify import check
 from verify.language.fold import fails
 from verify.language.statement import NEEDED, PROVED, Constant
@@ -21,23 +22,11 @@ from verify.prover.balls import BallArithmetic
 from verify.prover.outcome import Outcome
 from verify.prover.program import Machine, Program
 from verify.prover.proof import LemmaStep, ObligationStep
-from verify.prover.rules import Sum
 from verify.wire.read import read
 from verify.wire.write import write
 
 #: The context of all parameters.
 CONTEXT = "everywhere"
-
-
-@cache
-def cited() -> dict[str, bytes]:
-    files = write(pages.decide("all_parameters"))
-    return {name[6:-5]: data for name, data in files.items() if name.startswith("cited/")}
-
-
-def report(outcome: Outcome) -> check.Report:
-    files = write(outcome)
-    return check.check(files["statement.json"], files["certificate.json"], cited())
 
 
 def test_everything_is_proved_and_small() -> None:
@@ -48,7 +37,7 @@ def test_everything_is_proved_and_small() -> None:
     assert report(outcome).verdict == "PROVED"
     own = (data for name, data in files.items() if not name.startswith("cited/"))
     assert sum(map(len, own)) < 400_000
-    assert read(files["statement.json"], files["certificate.json"], cited()) == outcome.draft
+    assert read(files["statement.json"], files["certificate.json"], cited(files)) == outcome.draft
 
 
 def test_the_rows_are_those_of_the_theorem() -> None:
@@ -112,26 +101,6 @@ def admissible(chosen: random.Random) -> tuple[Fraction, ...]:
     share = chosen.choice([Fraction(1, 10**6), Fraction(1, 2), 1 - Fraction(1, 10**6), Fraction(1)])
     power = Fraction(10) ** chosen.randrange(-12, 12)
     return r, least + (1 - least) * share, power, Fraction(10) ** chosen.randrange(-6, 2)
-
-
-def test_a_sum_without_one_of_its_addends_is_refused() -> None:
-    rows = {row.name: row.claim for row in pages.decide("all_parameters").statement.obligations}
-    steps, names = [], set()
-    for number, item in enumerate(pages.decide("all_parameters").steps):
-        proof = getattr(item, "proof", None)
-        claim = item.claim if isinstance(item, LemmaStep) else rows.get(item.name)
-        if isinstance(proof, Sum) and isinstance(claim, Claim) and len(proof.addends) > 1:
-            context = item.context if isinstance(item, LemmaStep) else CONTEXT
-            for i in range(len(proof.addends)):
-                rest = proof.addends[:i] + proof.addends[i + 1 :]
-                name = f"lie.{number}.{i}"
-                names.add(name)
-                steps.append(LemmaStep(name, context, claim, proof._replace(addends=rest)))
-        steps.append(item)
-    assert len(names) > 400
-    lines = report(pages.decide("all_parameters")._replace(steps=tuple(steps))).lines
-    refused = {line.split()[2].rstrip(":") for line in lines if line.startswith("REFUSED lemma")}
-    assert names <= refused
 
 
 def with_entry(name: str, entry: int, factor: Fraction) -> Outcome:

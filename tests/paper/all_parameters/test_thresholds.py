@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import pytest
 
-from verify import check
+from tests.paper.changed_statements import report
 from verify.cli import main
 from verify.language.fold import fails, holds
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
@@ -23,15 +23,10 @@ from verify.prover.balls import BallArithmetic
 from verify.prover.outcome import Decision
 from verify.prover.program import Machine, Program
 from verify.prover.proof import LemmaStep
-from verify.views.all_parameters import LEFT_OPEN, Outcome
+from verify.views.all_parameters import LEFT_OPEN
 from verify.wire.read import read
 from verify.wire.text.read_page import read_page
 from verify.wire.write import write
-
-
-def report(outcome: Outcome) -> check.Report:
-    files = write(outcome)
-    return check.check(files["statement.json"], files["certificate.json"], {})
 
 
 def test_it_is_proved_and_small() -> None:

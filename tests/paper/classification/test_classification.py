@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import subprocess
 import sys
 from functools import cache
@@ -11,31 +10,25 @@ from pathlib import Path
 import pytest
 
 from tests.pages import Variables, headings
+from tests.paper.changed_statements import report
 from verify import check
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Always, Obligation
 from verify.language.terms import Claim, Term, as_term, names_of, substitute, symbol
-from verify.paper.commands.classification import decide_classification
+from verify.paper.commands import pages
 from verify.paper.commands.pages import page
 from verify.paper.commands.regenerate import is_right_statement
-from verify.prover.outcome import Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Proof
-from verify.prover.rules import Sum
 from verify.wire.read import read
 from verify.wire.write import write
 
 STATEMENT = page("classification").statement
 
 
-def report(outcome: Outcome) -> check.Report:
-    files = write(outcome)
-    return check.check(files["statement.json"], files["certificate.json"], {})
-
-
 # --- as they are ---------------------------------------------------------------------------------
 
 
 def test_all_rows_are_proved(tmp_path: Path) -> None:
-    outcome = decide_classification()
+    outcome = pages.decide("classification")
     files = write(outcome)
     assert outcome.verdict == PROVED
     verdicts = {(row.role, decision.verdict) for row, decision in outcome.rows}
@@ -51,7 +44,7 @@ def test_all_rows_are_proved(tmp_path: Path) -> None:
 
 
 def test_the_misprint_is_corrected_by_a_row_that_is_needed() -> None:
-    rows = {row.name: (row, decision) for row, decision in decide_classification().rows}
+    rows = {row.name: (row, decision) for row, decision in pages.decide("classification").rows}
     row, decision = rows["cone-image-stated"]
     assert row.corrected_by is not None
     correction = rows[row.corrected_by]
@@ -61,36 +54,13 @@ def test_the_misprint_is_corrected_by_a_row_that_is_needed() -> None:
 
 @pytest.mark.parametrize("heading", headings("classification"))
 def test_each_part_has_rows(heading: str) -> None:
-    found = decide_classification().of_group(heading)
+    found = pages.decide("classification").of_group(heading)
     assert found
     assert {decision.verdict for row, decision in found if row.role == NEEDED} == {PROVED}
 
 
 def test_it_is_the_program_s_own() -> None:
-    assert is_right_statement(write(decide_classification())["statement.json"])
-
-
-def test_only_four_sentences_of_mathematics_are_assumed() -> None:
-    assumptions = decide_classification().assumptions
-    assert assumptions == STATEMENT.assumptions
-    kinds = [assumption.kind for assumption in assumptions]
-    assert kinds.count("general mathematics") == 4
-    assert kinds.count("definition") == 2
-    assert set(kinds) == {"definition", "general mathematics", "numbered glue"}
-
-
-def test_glue_names_facts_that_are_there() -> None:
-    known = {row.name for row in STATEMENT.obligations}
-    known |= {given.name for context in STATEMENT.contexts for given in context.givens}
-    known |= {assumption.name for assumption in STATEMENT.assumptions}
-    prose = {"so-called", "Cauchy-Schwarz"}
-    glue = [a for a in STATEMENT.assumptions if a.kind == "numbered glue"]
-    for number, assumption in enumerate(glue, 1):
-        assert assumption.sentence.startswith(f"{number}. ")
-        words = {word.strip(".,:;()") for word in assumption.sentence.split()}
-        named = {w for w in words if re.fullmatch(r"[a-z]+(-[a-z0-9]+)+", w)}
-        assert named <= known | prose, named - known
-        assert len(named) > 3
+    assert is_right_statement(write(pages.decide("classification"))["statement.json"])
 
 
 # --- what is refused -----------------------------------------------------------------------------
@@ -148,7 +118,7 @@ TRUE = {"law-of-cosines.index", "bound-below-one.sign"}
 def mutants() -> dict[str, tuple[Claim, str | None, Proof]]:
     """For each row claims that are nearly the same, with the proof of the row."""
     found = {}
-    for row, decision in decide_classification().rows:
+    for row, decision in pages.decide("classification").rows:
         if isinstance(row.claim, Claim) and row.role == NEEDED and decision.proof is not None:
             made = {
                 "sign": opposite(row.claim),
@@ -170,7 +140,7 @@ MUTANTS = mutants()
 def refused() -> set[str]:
     """The mutants that the checker refuses, each put before the row it is made from."""
     steps: list[object] = []
-    for step in decide_classification().steps:
+    for step in pages.decide("classification").steps:
         if isinstance(step, ObligationStep):
             steps += [
                 LemmaStep(name, *_placed(name))
@@ -178,7 +148,7 @@ def refused() -> set[str]:
                 if name.rpartition(".")[0] == step.name
             ]
         steps.append(step)
-    found = report(decide_classification()._replace(steps=tuple(steps)))  # type: ignore[arg-type]
+    found = report(pages.decide("classification")._replace(steps=tuple(steps)))  # type: ignore[arg-type]
     lines = [line for line in found.lines if line.startswith("REFUSED lemma ")]
     return {line.split()[2].rstrip(":") for line in lines}
 
@@ -194,28 +164,7 @@ def test_a_wrong_claim_is_refused(name: str) -> None:
 
 
 def test_there_are_many_wrong_claims() -> None:
-    assert len(MUTANTS) > 3 * len(decide_classification().statement.obligations)
-
-
-def test_a_sum_without_one_of_its_addends_is_refused() -> None:
-    steps: list[object] = []
-    names: set[str] = set()
-    rows = {row.name: row for row in STATEMENT.obligations}
-    for step in decide_classification().steps:
-        if isinstance(step, LemmaStep | ObligationStep) and isinstance(step.proof, Sum):
-            place = step if isinstance(step, LemmaStep) else rows[step.name]
-            for i in range(len(step.proof.addends)):
-                fewer = step.proof.addends[:i] + step.proof.addends[i + 1 :]
-                name = f"lie.{len(names)}"
-                names.add(name)
-                proof = step.proof._replace(addends=fewer)
-                assert isinstance(place.claim, Claim)
-                steps.append(LemmaStep(name, place.context, place.claim, proof))
-        steps.append(step)
-    found = report(decide_classification()._replace(steps=tuple(steps)))  # type: ignore[arg-type]
-    lines = [line for line in found.lines if line.startswith("REFUSED lemma lie")]
-    assert len(names) > 150
-    assert {line.split()[2].rstrip(":") for line in lines} == names
+    assert len(MUTANTS) > 3 * len(pages.decide("classification").statement.obligations)
 
 
 run, first = Variables("classification", "run"), Variables("classification", "first")
@@ -233,7 +182,7 @@ NEXT = {
 
 @pytest.mark.parametrize("what", NEXT)
 def test_a_wrong_next_state_is_refused(what: str) -> None:
-    outcome = decide_classification()
+    outcome = pages.decide("classification")
     rows = outcome.statement.obligations
     index = next(i for i, row in enumerate(rows) if row.name == "run-always")
     claim = rows[index].claim
@@ -258,7 +207,7 @@ GIVENS = [
 
 @pytest.mark.parametrize("name", GIVENS)
 def test_a_given_is_needed(name: str) -> None:
-    outcome = decide_classification()
+    outcome = pages.decide("classification")
     contexts = tuple(
         context._replace(givens=tuple(g for g in context.givens if g.name != name))
         for context in outcome.statement.contexts

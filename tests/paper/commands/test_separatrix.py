@@ -15,7 +15,7 @@ from verify import check
 from verify.language.argument import Chapter, Line
 from verify.language.statement import PROVED, Applies
 from verify.language.terms import Claim
-from verify.paper.commands import separatrix
+from verify.paper.commands import pages, separatrix
 from verify.paper.commands.pages import argument
 from verify.paper.commands.regenerate import is_right_statement
 from verify.prover.arguments import write_down
@@ -40,7 +40,7 @@ HONEST = ("3/100", "1", "2", "1/10")
 
 
 def test_the_theorem_is_proved() -> None:
-    outcome = separatrix.decide_separatrix()
+    outcome = pages.decide("separatrix")
     assert outcome.verdict == PROVED
     assert len(outcome.rows) == 42
     kinds = [a.kind for a in outcome.assumptions]

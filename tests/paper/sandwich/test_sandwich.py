@@ -2,149 +2,24 @@
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction
 from functools import cache
 
 import pytest
 from flint import arb
 
-from tests.paper.changed_statements import (
-    accepted_lies,
-    answer,
-    changed,
-    claim_of,
-    report,
-    standing,
-    without,
-)
 from tests.paper.sandwich.states import (
-    BELOW,
-    GIVENS,
-    STAIR,
     Applied,
     Random,
     Values,
     fails,
-    holds,
 )
 from tests.paper.sharper.particles import dot
-from verify.language.statement import PROVED
-from verify.language.terms import Claim
-from verify.paper.commands.collapse import decide_sandwich
 from verify.prover import balls
-from verify.prover.proof import LemmaStep
-from verify.wire.read import read
-from verify.wire.write import write
 
 #: 430 digits.
 BITS = 1430
 COLLISIONS = 30
-
-
-def test_the_theorem_is_proved_and_small() -> None:
-    outcome = decide_sandwich()
-    files = write(outcome)
-    assert report(outcome).verdict == "PROVED"
-    assert outcome.verdict == PROVED
-    assert sum(map(len, files.values())) < 150_000
-    assert read(files["statement.json"], files["certificate.json"], {}) == outcome.draft
-
-
-def test_what_is_assumed() -> None:
-    kinds = [assumption.kind for assumption in decide_sandwich().assumptions]
-    expected = [*["definition"] * 2, *["general mathematics"] * 3, *["numbered glue"] * 4]
-    assert sorted(kinds) == expected
-
-
-def test_glue_names_facts_that_are_there() -> None:
-    statement = BELOW
-    known = {row.name for row in statement.obligations}
-    known |= {given.name for context in statement.contexts for given in context.givens}
-    known |= {context.name for context in statement.contexts}
-    known |= {step.name for step in decide_sandwich().steps if isinstance(step, LemmaStep)}
-    known |= {assumption.name for assumption in statement.assumptions}
-    named = {
-        word
-        for assumption in statement.assumptions
-        if assumption.kind == "numbered glue"
-        for word in re.findall(r"(?<![-\w])[a-z]+(?:-[A-Za-z]+)+(?![-\w])", assumption.sentence)
-    }
-    assert len(named) > 15
-    assert named - known <= {"n-th"}
-
-
-def test_the_point_is_inside() -> None:
-    """No given is sharp at the point but that w is the smaller speed."""
-    point = {name: balls.exact(term.value) for name, term in BELOW.context("start").point.items()}
-    sharp = {"w_0-least", "w_1-least"}
-    for name, claim in GIVENS.items():
-        assert holds(Claim("<", claim.lhs, claim.rhs), point) or name in sharp, name
-
-
-# --- what is refused -----------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    "name", [*GIVENS, *standing(BELOW), *STAIR, *BELOW.context("orbit").claims]
-)
-def test_each_given_is_used(name: str) -> None:
-    assert answer(without(decide_sandwich(), name)) in {"REFUSED", "MALFORMED"}
-
-
-@pytest.mark.parametrize("name", [*GIVENS])
-def test_a_weaker_given_is_refused(name: str) -> None:
-    claim = GIVENS[name]
-    weaker = Claim(claim.relation, claim.lhs, claim.rhs + Fraction(1, 10**6))
-    assert answer(changed(decide_sandwich(), name, weaker)) == "REFUSED"
-
-
-#: The theorem as it might be miswritten: a factor, a sign, an index.
-EXCHANGED = """
-    G*(w_0/w_1)^2*U_0*(2*Q_0 + G*(w_0/w_1)^2*U_0) <= U_b*(2 - U_b)*
-    ((1 + r)/2*(C_0 - Theta)*(1 - U_0) - Q_0 - G*(w_0/w_1)^2*U_0)^2"""
-MUTANTS = {
-    "the-other-speed": (
-        "start-u",
-        "d_start*(2 + d_start)*w_1^2 <= U_0*(2 - U_0)*(1 + d_start)^2*y_start^2",
-    ),
-    "one-for-two": (
-        "start-u",
-        "d_start*(1 + d_start)*w_0^2 <= U_0*(2 - U_0)*(1 + d_start)^2*y_start^2",
-    ),
-    "no-later-gain": ("start-B-most", "B_start <= w_1^2"),
-    "no-turning": ("start-C-lower", "C_0 - C_start <= Theta"),
-    "upper-angle": (
-        "start-approaches",
-        "0 < (1 + r)/2*(C_0 + Theta)*(1 - U_0) - Q_0 - G*(w_1/w_0)^2*U_0",
-    ),
-    "indices-exchanged": (
-        "start-meets",
-        EXCHANGED,
-    ),
-    "share-forgotten": ("stair-falls-Q", "R*(1 - U) <= Q_next"),
-    "power-of-P": (
-        "stair-falls-U",
-        "rho*U*(2*Q + rho*U) <= U_next*(2 - U_next)*(alpha*(1 - U) - Q - rho*U)",
-    ),
-    "half-of-the-load": (
-        "stair-falls-U",
-        "rho*U*(2*Q + rho*U)/2 <= U_next*(2 - U_next)*(alpha*(1 - U) - Q - rho*U)^2",
-    ),
-}
-
-
-@pytest.mark.parametrize("mutant", MUTANTS)
-def test_a_mutant_is_refused(mutant: str) -> None:
-    name, text = MUTANTS[mutant]
-    assert answer(changed(decide_sandwich(), name, claim_of(BELOW, name, text))) == "REFUSED"
-
-
-def test_a_sum_without_one_of_its_addends_is_refused() -> None:
-    """What is left of an inequality of vectors is too long for the checker."""
-    count, accepted = accepted_lies(decide_sandwich(), 4, ("tau",))
-    assert count > 250
-    assert accepted == set()
 
 
 # --- what is true --------------------------------------------------------------------------------

@@ -3,134 +3,30 @@
 from __future__ import annotations
 
 import os
-import re
 from fractions import Fraction
 
 import pytest
 from flint import arb
 
-from tests.paper.changed_statements import (
-    accepted_lies,
-    answer,
-    changed,
-    claim_of,
-    report,
-    standing,
-    without,
-)
 from tests.paper.sandwich.states import Random, values_of
 from tests.paper.sandwich.states import fails as fails_inside
 from tests.paper.sandwich_above.states import (
-    ABOVE,
-    FLOOR,
-    GIVENS,
     Ending,
     collisions_in_turn,
     ending,
     fails,
     floor_of,
-    holds,
     numbers_of,
 )
-from verify.language.statement import PROVED
-from verify.language.terms import Claim
-from verify.paper.commands.collapse import decide_outside
 from verify.prover import balls
-from verify.prover.proof import LemmaStep
 from verify.spheres.flow.collapse import Start, start_of
 from verify.spheres.flow.follow import Flow
 from verify.spheres.flow.sandwich import search
 from verify.spheres.scene.scene import Scene
-from verify.wire.read import read
-from verify.wire.write import write
 
 #: 1 200 digits: a run of 60 collisions loses most of them.
 BITS = 4000
 ROUNDS = int(os.environ.get("OUTSIDE_ROUNDS", "400"))
-
-
-def test_the_theorem_is_proved_and_small() -> None:
-    outcome = decide_outside()
-    files = write(outcome)
-    assert report(outcome).verdict == "PROVED"
-    assert outcome.verdict == PROVED
-    assert sum(map(len, files.values())) < 120_000
-    assert read(files["statement.json"], files["certificate.json"], {}) == outcome.draft
-
-
-def test_glue_names_facts_that_are_there() -> None:
-    statement = ABOVE
-    known = {row.name for row in statement.obligations}
-    known |= {given.name for context in statement.contexts for given in context.givens}
-    known |= {step.name for step in decide_outside().steps if isinstance(step, LemmaStep)}
-    known |= {assumption.name for assumption in statement.assumptions}
-    named = {
-        word
-        for assumption in statement.assumptions
-        if assumption.kind == "numbered glue"
-        for word in re.findall(r"(?<![-\w])[a-z]+(?:-[A-Za-z]+)+(?![-\w])", assumption.sentence)
-    }
-    assert len(named) > 8
-    assert named <= known
-
-
-def test_the_point_is_inside() -> None:
-    """No given is sharp at the point but that v is the smaller speed."""
-    with balls.precision(BITS):
-        point = {
-            name: balls.exact(term.value) for name, term in ABOVE.context("start").point.items()
-        }
-        at = {name: arb(x) for name, x in point.items()}
-        for name, claim in GIVENS.items():
-            strict = Claim("<", claim.lhs, claim.rhs)
-            assert holds(strict, at) or name in ("v_0-least", "v_1-least"), name
-
-
-@pytest.mark.parametrize("name", [*GIVENS, *FLOOR, *standing(ABOVE)])
-def test_each_given_is_used(name: str) -> None:
-    assert answer(without(decide_outside(), name)) in {"REFUSED", "MALFORMED"}
-
-
-@pytest.mark.parametrize("name", [*GIVENS])
-def test_a_weaker_given_is_refused(name: str) -> None:
-    claim = GIVENS[name]
-    weaker = Claim(claim.relation, claim.lhs, claim.rhs + Fraction(1, 10**6))
-    assert answer(changed(decide_outside(), name, weaker)) == "REFUSED"
-
-
-#: The theorem as it might be miswritten: a factor, a sign, an index.
-MUTANTS = {
-    "the-other-speed": (
-        "start-u",
-        "U_0*(2 - U_0)*(1 + d_start)^2*y_start^2 <= d_start*(2 + d_start)*w_0^2",
-    ),
-    "no-later-loss": ("start-B-least", "v_1^2 <= B_start"),
-    "no-turning": ("start-C", "C_start <= C_p"),
-    "reach-forgotten": ("start-reach", "y_start^2 <= v^2*(G^2 - 1)"),
-    "share-forgotten": ("floor-rises-Q", "Q_next <= R*(1 - U_n)"),
-    "power-of-P": (
-        "floor-rises-U",
-        "U_next*(2 - U_next)*(alpha*(1 - U_n) - Q_n - rho*U_n) <= rho*U_n*(2*Q_n + rho*U_n)",
-    ),
-    "twice-the-load": (
-        "floor-rises-U",
-        "U_next*(2 - U_next)*(alpha*(1 - U_n) - Q_n - rho*U_n)^2 <= 2*(rho*U_n*(2*Q_n + rho*U_n))",
-    ),
-    "grazing": ("floor-meets", "rho*U*(2*Q + rho*U) <= (alpha*(1 - U) - Q - rho*U)^2"),
-    "once-only": ("meets-again", "0 <= y"),
-}
-
-
-@pytest.mark.parametrize("mutant", MUTANTS)
-def test_a_mutant_is_refused(mutant: str) -> None:
-    name, text = MUTANTS[mutant]
-    assert answer(changed(decide_outside(), name, claim_of(ABOVE, name, text))) == "REFUSED"
-
-
-def test_a_sum_without_one_of_its_addends_is_refused() -> None:
-    count, accepted = accepted_lies(decide_outside(), 4, ("tau",))
-    assert count > 250
-    assert accepted == set()
 
 
 # --- what is true --------------------------------------------------------------------------------

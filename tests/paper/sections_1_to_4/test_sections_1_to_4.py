@@ -9,19 +9,18 @@ from functools import cache
 import pytest
 
 from tests.pages import Variables, context, headings, rows
+from tests.paper.changed_statements import report
 from tests.paper.sections_1_to_4.values import holds, value, with_constants
-from verify import check
 from verify.language.argument import ByWitness, Line
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Obligation
 from verify.language.terms import Claim, Term, as_term, names_of, substitute, substitute_claim
+from verify.paper.commands import pages
 from verify.paper.commands.pages import page
 from verify.paper.commands.places import places
 from verify.paper.commands.regenerate import is_right_statement
-from verify.paper.commands.sections_1_to_4 import decide_elsewhere
 from verify.paper.source import printed_numbers
-from verify.prover.outcome import Outcome
 from verify.prover.proof import LemmaStep, ObligationStep
-from verify.prover.rules import Sum, Witness
+from verify.prover.rules import Witness
 from verify.publication import BREAKS, HARMLESS, OTHERWISE, REMARK, SEVERITIES, SLIP
 from verify.views.words import fair
 from verify.wire.read import read
@@ -39,16 +38,11 @@ ROWS = rows(PAGE)
 CONTEXTS = {context.name: context for context in page(PAGE).statement.contexts}
 
 
-def report(outcome: Outcome) -> check.Report:
-    files = write(outcome)
-    return check.check(files["statement.json"], files["certificate.json"], {})
-
-
 # --- as they are ----------------------------------------------------------------------------------
 
 
 def test_the_checker_accepts_every_row() -> None:
-    outcome = decide_elsewhere()
+    outcome = pages.decide("sections_1_to_4")
     files = write(outcome)
     assert outcome.verdict == PROVED
     assert {(row.role, d.verdict) for row, d in outcome.rows} == {
@@ -70,13 +64,6 @@ def test_labels_are_those_of_the_paper_and_every_row_has_a_place() -> None:
     assert set(ROWS) <= {place.name for place in places() if place.part == PAGE}
 
 
-def test_glue_names_rows_that_are_there() -> None:
-    for assumption in page(PAGE).statement.assumptions:
-        if assumption.kind == "numbered glue":
-            named = {word.strip(".,;:()") for word in assumption.sentence.split()} & set(ROWS)
-            assert len(named) > 3
-
-
 # --- what is refuted ------------------------------------------------------------------------------
 
 
@@ -96,7 +83,7 @@ def test_a_misprint_is_corrected_by_a_row_that_is_proved(name: str) -> None:
     row = ROWS[name]
     assert row.severity in SEVERITIES
     assert ROWS[str(row.corrected_by)].role == NEEDED
-    assert decide_elsewhere().decisions[str(row.corrected_by)].verdict == PROVED
+    assert pages.decide("sections_1_to_4").decisions[str(row.corrected_by)].verdict == PROVED
 
 
 def test_a_correction_holds_where_the_misprint_does_not() -> None:
@@ -133,14 +120,14 @@ def test_the_severities() -> None:
     ],
 )
 def test_what_the_text_says_is_told_fairly(name: str, verdict: str) -> None:
-    outcome = decide_elsewhere()
+    outcome = pages.decide("sections_1_to_4")
     assert outcome.decisions[name].verdict == REFUTED
     assert fair(outcome, ROWS[name], outcome.decisions[name]) == verdict
 
 
 def test_nothing_is_called_proved_without_its_proof() -> None:
     """The row by which a sentence is true has to be proved itself."""
-    outcome = decide_elsewhere()
+    outcome = pages.decide("sections_1_to_4")
     row, found = ROWS["quoted-limit"], outcome.decisions["quoted-limit"]
     assert fair(outcome.draft, row, found) == REFUTED
     assert fair(outcome, row._replace(corrected_by="no-such-row"), found) == REFUTED
@@ -148,7 +135,7 @@ def test_nothing_is_called_proved_without_its_proof() -> None:
 
 
 def test_a_point_that_breaks_a_given_is_refused() -> None:
-    outcome = decide_elsewhere()
+    outcome = pages.decide("sections_1_to_4")
     steps: list[object] = []
     for step in outcome.steps:
         if isinstance(step, ObligationStep) and step.name == "next-collision":
@@ -260,13 +247,13 @@ TRUE = {
 def refused() -> set[str]:
     """The mutants that the checker refuses, each before the row and with the row's proof."""
     steps: list[object] = []
-    for step in decide_elsewhere().steps:
+    for step in pages.decide("sections_1_to_4").steps:
         if isinstance(step, ObligationStep):
             for name, (row, claim) in MUTANTS.items():
                 if row.name == step.name:
                     steps.append(LemmaStep(name, row.context, claim, step.proof))
         steps.append(step)
-    found = report(decide_elsewhere()._replace(steps=tuple(steps)))  # type: ignore[arg-type]
+    found = report(pages.decide("sections_1_to_4")._replace(steps=tuple(steps)))  # type: ignore[arg-type]
     lines = [line for line in found.lines if line.startswith("REFUSED lemma ")]
     return {line.split()[2].rstrip(":") for line in lines}
 
@@ -278,25 +265,6 @@ def test_a_wrong_claim_is_refused(name: str) -> None:
 
 def test_there_are_many_wrong_claims() -> None:
     assert len(MUTANTS) > 250
-
-
-def test_a_sum_without_one_of_its_addends_is_refused() -> None:
-    steps: list[object] = []
-    names: set[str] = set()
-    for step in decide_elsewhere().steps:
-        if isinstance(step, LemmaStep | ObligationStep) and isinstance(step.proof, Sum):
-            place = step if isinstance(step, LemmaStep) else ROWS[step.name]
-            for i in range(len(step.proof.addends)):
-                fewer = step.proof.addends[:i] + step.proof.addends[i + 1 :]
-                names.add(name := f"lie.{len(names)}")
-                proof = step.proof._replace(addends=fewer)
-                assert isinstance(place.claim, Claim)
-                steps.append(LemmaStep(name, place.context, place.claim, proof))
-        steps.append(step)
-    found = report(decide_elsewhere()._replace(steps=tuple(steps)))  # type: ignore[arg-type]
-    lines = [line for line in found.lines if line.startswith("REFUSED lemma lie")]
-    assert len(names) > 80
-    assert {line.split()[2].rstrip(":") for line in lines} == names
 
 
 def test_a_substituted_claim_is_the_claim_at_the_point() -> None:

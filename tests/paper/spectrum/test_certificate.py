@@ -15,7 +15,7 @@ import sympy
 
 from tests.paper.spectrum.page import with_a_broken_entry
 from verify import check
-from verify.paper.commands.spectrum import decide_spectrum
+from verify.paper.commands import pages
 from verify.prover.outcome import Outcome
 from verify.wire.read import read
 from verify.wire.write import write
@@ -37,7 +37,7 @@ def cited(files: dict[str, bytes]) -> dict[str, bytes]:
 
 @pytest.fixture(scope="module")
 def outcome() -> Outcome:
-    return decide_spectrum()
+    return pages.decide("spectrum")
 
 
 @pytest.fixture(scope="module")
@@ -80,7 +80,7 @@ def test_refuted_needed_rows_have_a_certificate_too() -> None:
 @cache
 def what_it_cites() -> dict[str, bytes]:
     """The statements that the spectrum cites, by their digests."""
-    return cited(write(decide_spectrum()))
+    return cited(write(pages.decide("spectrum")))
 
 
 class Lie:

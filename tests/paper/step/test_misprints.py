@@ -9,13 +9,14 @@ from pathlib import Path
 import pytest
 from flint import fmpq
 
+from tests.paper.changed_statements import report
 from verify import check
 from verify.language.argument import ByWitness, Line
 from verify.language.statement import PRINTED, PROVED, REFUTED, Obligation
 from verify.language.terms import Claim, Term, as_term
+from verify.paper.commands import pages
 from verify.paper.commands.pages import page
 from verify.paper.commands.regenerate import is_right_statement
-from verify.paper.commands.step import decide_step_printed
 from verify.paper.parameters import PARAMETERS
 from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Outcome
@@ -63,11 +64,6 @@ SAME_LINES = {
 }
 
 
-def report(outcome: Outcome) -> check.Report:
-    files = write(outcome)
-    return check.check(files["statement.json"], files["certificate.json"], {})
-
-
 def rational(term: Term) -> fmpq:
     return fmpq(term.value.numerator, term.value.denominator)
 
@@ -82,7 +78,7 @@ def place(name: str) -> Place:
 
 
 def test_every_printed_row_is_refuted_and_every_other_proved() -> None:
-    outcome = decide_step_printed()
+    outcome = pages.decide("step_as_printed")
     files = write(outcome)
     found = check.check(files["statement.json"], files["certificate.json"], {})
     assert found.verdict == "PROVED"
@@ -165,7 +161,7 @@ def test_a_state_in_the_plane_has_no_third_coordinate() -> None:
 
 def changed(row: str, claim: Claim) -> Outcome:
     """The same with another claim in place of a refuted one."""
-    outcome = decide_step_printed()
+    outcome = pages.decide("step_as_printed")
     rows = tuple(
         old._replace(claim=claim) if old.name == row else old
         for old in outcome.statement.obligations
@@ -174,7 +170,7 @@ def changed(row: str, claim: Claim) -> Outcome:
 
 
 def test_what_is_right_is_not_refuted_by_the_same_state() -> None:
-    claims = {row.name: row.claim for row in decide_step_printed().statement.obligations}
+    claims = {row.name: row.claim for row in pages.decide("step_as_printed").statement.obligations}
     rights = ("law-norm-c", "distance", "time-product", "angle-step-upper")
     wrongs = ("law-norm-c", "d-index", "time-square", "angle-sign")
     for right, wrong in zip(rights, wrongs, strict=True):
@@ -186,7 +182,7 @@ def test_what_is_right_is_not_refuted_by_the_same_state() -> None:
 
 @pytest.mark.parametrize("name", ["d", "tau", "W_s_2", "omega_c_1", "decay", "S", "D"])
 def test_another_state_is_refused(name: str) -> None:
-    outcome = decide_step_printed()
+    outcome = pages.decide("step_as_printed")
     found = []
     for old in outcome.steps:
         proof = getattr(old, "proof", None)
@@ -199,12 +195,12 @@ def test_another_state_is_refused(name: str) -> None:
 
 
 def test_the_committed_folder_is_what_the_program_makes() -> None:
-    for name, content in write(decide_step_printed()).items():
+    for name, content in write(pages.decide("step_as_printed")).items():
         assert (ROOT / "certificates" / "step-printed" / name).read_bytes() == content
 
 
 def test_the_program_calls_its_own_statement_right() -> None:
-    outcome = decide_step_printed()
+    outcome = pages.decide("step_as_printed")
     statement = outcome.statement
     assert is_right_statement(write(outcome)["statement.json"])
     fewer = outcome._replace(statement=statement._replace(obligations=statement.obligations[:-1]))

@@ -5,72 +5,33 @@ from __future__ import annotations
 import json
 import shutil
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from tests.paper.changed_statements import report
 from tests.paper.step.states import BITS, NAMES, STEP, Random, Values, checker, evaluate
 from verify import check
 from verify.cli import main
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Always, Obligation
 from verify.language.terms import Claim, Term, as_term, substitute_claim, symbol
 from verify.paper.commands import citing, pages
-from verify.paper.commands.step import decide_step
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.parameters import ALL, PARAMETERS
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.ground import Ground
-from verify.prover.outcome import Decision, Outcome
-from verify.prover.proof import LemmaStep, ObligationStep, Step
-from verify.prover.rules import Sum
+from verify.prover.outcome import Decision
+from verify.prover.proof import LemmaStep, ObligationStep
 from verify.views.words import headline
 from verify.wire import judge, packaged
 from verify.wire.packaged import PACKAGED, PACKAGED_FILES, packaged_files
-from verify.wire.read import read
 from verify.wire.write import encode, write
 
 ROOT = Path(__file__).resolve().parents[3]
-
-
-def report(outcome: Outcome) -> check.Report:
-    files = write(outcome)
-    return check.check(files["statement.json"], files["certificate.json"], {})
-
-
-def test_the_step_is_proved_and_small() -> None:
-    outcome = decide_step()
-    files = write(outcome)
-    assert report(outcome).verdict == "PROVED"
-    assert outcome.verdict == PROVED
-    assert sum(map(len, files.values())) < 200_000
-    assert read(files["statement.json"], files["certificate.json"], {}) == outcome.draft
-
-
-def test_only_four_kinds_of_sentences_are_assumed() -> None:
-    kinds = [assumption.kind for assumption in decide_step().assumptions]
-    assert kinds.count("general mathematics") == 4
-    assert kinds.count("definition") == 1
-    assert set(kinds) == {"general mathematics", "definition", "numbered glue"}
-
-
-def test_glue_names_rows_that_are_there() -> None:
-    rows = {row.name for row in STEP.obligations}
-    rows |= {g.name for c in STEP.contexts for g in c.givens}
-    named = {
-        word.strip(".,:")
-        for assumption in decide_step().assumptions
-        if assumption.kind == "numbered glue"
-        for word in assumption.sentence.split()
-        if "-" in word and word.strip(".,:").replace("-", "").isalpha()
-    }
-    prose = {"0-1", "inside-", "-cos", "n-th", "glue-next", "finite-length"}
-    assert {name for name in named if name not in rows} <= prose
 
 
 def test_the_point_is_the_theorem_at_three_hundredths() -> None:
@@ -88,63 +49,9 @@ def as_term_of(text: str) -> Any:
 # --- what is refused -----------------------------------------------------------------------------
 
 
-@dataclass
-class Sums:
-    """Every sum of the certificate with its claim and context."""
-
-    step: Step
-    claim: Claim
-    context: str | None
-    proof: Sum
-
-
-@cache
-def sums() -> tuple[Sums, ...]:
-    rows = {row.name: row for row in STEP.obligations}
-    found = []
-    for item in decide_step().steps:
-        if isinstance(item, LemmaStep) and isinstance(item.proof, Sum):
-            found.append(Sums(item, item.claim, item.context, item.proof))
-        if isinstance(item, ObligationStep) and isinstance(item.proof, Sum):
-            row = rows[item.name]
-            assert isinstance(row.claim, Claim)
-            found.append(Sums(item, row.claim, row.context, item.proof))
-    return tuple(found)
-
-
-def with_lies(lies: dict[str, list[LemmaStep]]) -> list[str]:
-    """Which lies are accepted, each put before the step of its name."""
-    steps = [new for old in decide_step().steps for new in (*lies.get(old.name, []), old)]
-    names = {lie.name for group in lies.values() for lie in group}
-    lines = report(decide_step()._replace(steps=tuple(steps))).lines
-    refused = {line.split()[2].rstrip(":") for line in lines if line.startswith("REFUSED lemma")}
-    return sorted(names - refused)
-
-
-def test_a_sum_without_one_of_its_addends_is_refused() -> None:
-    lies: dict[str, list[LemmaStep]] = {}
-    for number, found in enumerate(sums()):
-        for i in range(len(found.proof.addends)):
-            rest = found.proof.addends[:i] + found.proof.addends[i + 1 :]
-            proof = found.proof._replace(addends=rest)
-            lie = LemmaStep(f"lie.{number}.{i}", found.context, found.claim, proof)
-            lies.setdefault(found.step.name, []).append(lie)
-    assert sum(map(len, lies.values())) > 500
-    assert with_lies(lies) == []
-
-
-def test_a_stronger_claim_is_refused() -> None:
-    lies: dict[str, list[LemmaStep]] = {}
-    for number, found in enumerate(sums()):
-        relation, lhs, rhs = found.claim.key
-        claim = Claim(relation, lhs + Fraction(1, 1000), rhs)
-        lies[found.step.name] = [LemmaStep(f"lie.{number}", found.context, claim, found.proof)]
-    assert with_lies(lies) == []
-
-
 @pytest.mark.parametrize("context", ["parameters", "initial", "state", "plane"])
 def test_without_a_given_the_step_is_refused(context: str) -> None:
-    outcome = decide_step()
+    outcome = pages.decide("step")
     contexts = list(outcome.statement.contexts)
     index = [c.name for c in contexts].index(context)
     givens = contexts[index].givens
@@ -169,7 +76,7 @@ def claims_in(*contexts: str) -> dict[str, Claim]:
         if context.name in contexts
         for given in context.givens
     }
-    for item in decide_step().steps:
+    for item in pages.decide("step").steps:
         if isinstance(item, LemmaStep) and item.context in contexts:
             found[item.name] = item.claim
         if isinstance(item, ObligationStep) and rows[item.name].context in contexts:
@@ -245,7 +152,7 @@ def test_a_point_run_cites_the_step(point: tuple[str, str], selection: str) -> N
     assert found.cites[0][0] == "step"
     assert not any(row.uses for row, _ in outcome.rows if row.role == NEEDED)
     assert outcome.own_assumptions == ()
-    assert outcome.assumptions == decide_step().assumptions
+    assert outcome.assumptions == pages.decide("step").assumptions
     assert bool(outcome.printed_assumptions) == (selection == "all")
     assert headline(outcome) == PROVED
 

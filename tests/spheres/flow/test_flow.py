@@ -12,8 +12,8 @@ import pytest
 from verify import check
 from verify.language.argument import Argument
 from verify.language.terms import Claim, equal, sqrt, symbol
+from verify.paper.commands import pages
 from verify.paper.commands.pages import content, page
-from verify.paper.commands.scene import decide_flow
 from verify.prover.arguments import write_down
 from verify.spheres.flow.contexts import COLLISION, DRIFT, NAMED, PAIRS, RECENTRE, UNIT
 from verify.spheres.flow.law import (
@@ -38,7 +38,7 @@ def report(statement: bytes, certificate: bytes) -> check.Report:
 
 
 def files() -> tuple[bytes, bytes]:
-    found = write(decide_flow())
+    found = write(pages.decide("flow"))
     return found["statement.json"], found["certificate.json"]
 
 
@@ -151,7 +151,7 @@ def test_the_program_computes_with_the_formulas_of_the_page(
 
 def test_another_map_is_refused() -> None:
     """With W_s pushed twice as hard the numbers are not those of the vectors."""
-    right = 'w_next-is = "w_next = w + (1 + r)/2*'
+    right = "w_next-is: w_next = w + (1 + r)/2*"
     text = content("flow").decode()
     assert text.count(right) == 1
     wrong = read_page("flow.toml", text.replace(right, right.replace("= w +", "= 2*w +")).encode())

@@ -133,7 +133,7 @@ MUTANTS = (
     ("A_next = B + (1 + r)/n*", "A_next = B + (1 + r)/2*"),
     ("C_next = -C - K_s - sig*v^2", "C_next = -C - K_c - sig*v^2"),
     ("eps_next = K_c + K_s - K_o", "eps_next = K_c + K_s - 1"),
-    ('outer-last = """\n    0 < K_c + K_s - K_o', 'outer-last = """\n    0 < K_c + K_s'),
+    ("outer-last: 0 < K_c + K_s - K_o", "outer-last: 0 < K_c + K_s"),
     ("closing = lam*v/reach/l_c", "closing = lam*v/reach/l_s"),
     ("distance = eps*v^2/l_c/", "distance = eps*v^2/"),
 )

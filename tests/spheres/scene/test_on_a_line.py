@@ -11,7 +11,8 @@ import pytest
 from verify import check
 from verify.language.statement import PROVED, Applies
 from verify.language.terms import as_term
-from verify.paper.commands.scene import decide_line, scene_outcome
+from verify.paper.commands import pages
+from verify.paper.commands.scene import scene_outcome
 from verify.prover import balls
 from verify.spheres.flow.follow import Flow
 from verify.spheres.flow.line import follow_line, is_on_a_line
@@ -117,7 +118,7 @@ def test_the_certificate_is_accepted_and_a_lie_is_not() -> None:
 
 
 def test_the_theorem_is_proved() -> None:
-    assert decide_line().verdict == PROVED
+    assert pages.decide("line").verdict == PROVED
 
 
 def exact_collisions(scene: Scene, most: int) -> tuple[list[Fraction], bool]:

@@ -2,7 +2,7 @@
 
 The step holds for every state and for all numbers with its givens. So a point run need not make it:
 the program brings the step's folder along, as `verify/data/step`, and a test says that it is what
-`verify.paper.commands.step` makes.
+the page `step` becomes.
 """
 
 from __future__ import annotations

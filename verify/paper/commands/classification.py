@@ -5,7 +5,6 @@ from __future__ import annotations
 from fractions import Fraction
 
 from verify.language.statement import PROVED, UNDECIDED
-from verify.paper.commands.pages import decide
 from verify.prover.outcome import Outcome
 from verify.views.findings import AboutMiddle, AtMasses, AtR
 
@@ -13,11 +12,6 @@ from verify.views.findings import AboutMiddle, AtMasses, AtR
 BITS = 160
 #: Work on the numbers of the comparison sequence: products of lengths in bits, added up.
 BUDGET = 1 << 37
-
-
-def decide_classification() -> Outcome:
-    """The theorems, and the verdicts of the checker."""
-    return decide("classification")
 
 
 def at_restitution(r: Fraction) -> AtR:

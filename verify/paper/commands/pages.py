@@ -45,11 +45,11 @@ def content(name: str) -> bytes:
 
 
 def included(name: str) -> dict[str, bytes]:
-    """The files that a page includes, and those that they include, by their paths."""
+    """The files that a page includes or whose rows it shows, and those that they include."""
     found: dict[str, bytes] = {}
 
     def follow(text: bytes, folder: str) -> None:
-        for written in re.findall(rb"^include = (.+)$", text, re.MULTILINE):
+        for written in re.findall(rb"^(?:include|rows_of) = (.+)$", text, re.MULTILINE):
             for inner in re.findall(rb'"([^"]+)"', written):
                 path = os.path.normpath(os.path.join(folder, inner.decode()))
                 if path not in found:

@@ -13,7 +13,7 @@ from functools import cache
 
 from verify.language.statement import PROVED, Applies, Cite, Context, Obligation, Statement
 from verify.language.terms import Claim, Term
-from verify.paper.commands.pages import cite, decide, statement
+from verify.paper.commands.pages import cite, statement
 from verify.prover import balls
 from verify.prover.decimals import enclosing_decimals, round_decimal
 from verify.prover.outcome import Decision, Enclosure, Outcome
@@ -70,18 +70,6 @@ PAGES = {
     THREE_BALLS: "three_balls",
     TOUCHING: "touching",
 }
-
-
-@cache
-def decide_flow() -> Outcome:
-    """One collision of the flow, for every state."""
-    return decide("flow")
-
-
-@cache
-def decide_line() -> Outcome:
-    """The collapse of spheres on a line."""
-    return decide("line")
 
 
 @cache

@@ -26,7 +26,7 @@ from verify.language.statement import (
     Statement,
 )
 from verify.language.terms import Claim, Number, Term, as_term, symbol
-from verify.paper.commands.pages import cite, decide, statement
+from verify.paper.commands.pages import cite, statement
 from verify.prover.decimals import exact_number, round_decimal
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
@@ -55,12 +55,6 @@ STORED_DIGITS, STORED_STEPS = 12, 10**6
 MAX_ROWS = 1500
 
 Step = tuple[Fraction, Fraction, Fraction, Fraction, Fraction]
-
-
-@cache
-def decide_separatrix() -> Outcome:
-    """The theorem on the limit map, each line with the proof that its reason describes."""
-    return decide("separatrix")
 
 
 class PointParameters(Record):

@@ -20,11 +20,6 @@ def cite_spectrum() -> Outcome:
     return pages.accepted(PAGE, anew=False)
 
 
-def decide_spectrum() -> Outcome:
-    """Every row, decided anew."""
-    return pages.decide(PAGE)
-
-
 def roots_of_q() -> tuple[Term, Term, Term]:
     """Terms in m: r, and the real part and the squared imaginary part of the complex roots of Q.
 

@@ -13,8 +13,8 @@ import os
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from verify.wire.inputs import regular_file, shown
-from verify.wire.text.places import Places
+from verify.wire.inputs import InputError, regular_file, shown
+from verify.wire.text.places import Places, Where
 
 #: The content of a file, by its path.
 Opened = Callable[[str], bytes]
@@ -56,10 +56,7 @@ class Included:
         self._open.append(os.path.normpath(path))
         whole: dict[str, Any] = {}
         for name in names:
-            if not isinstance(name, str) or not name.endswith(".toml"):
-                what = f"{shown(str(name))} is no page; write the name of a file beside this one"
-                raise places.error(["include"], what)
-            inner = os.path.normpath(os.path.join(os.path.dirname(path), name))
+            inner = path_beside(path, name, places.where(["include"]))
             if inner in self._open:
                 raise places.error(["include"], f"{shown(name)} includes this page; leave one out")
             if inner not in self._done:
@@ -68,18 +65,40 @@ class Included:
         return merged(whole, table, places, [])
 
     def _file(self, path: str, name: str, places: Places) -> dict[str, Any]:
-        try:
-            content = self._opened(path)
-        except OSError as error:
-            what = f"{shown(name)} cannot be read ({error.strerror}); put it beside this page"
-            raise places.error(["include"], what) from error
-        except ValueError as error:
-            what = f"{shown(name)} cannot be read ({error}); put a page beside this one"
-            raise places.error(["include"], what) from error
+        content = content_of(path, name, places.where(["include"]), self._opened)
         table, own = self._read(path, content)
         found = self._with_included(path, table, own)
         self._done[path] = own
         return {key: value for key, value in found.items() if key not in ALONE}
+
+
+def path_beside(path: str, name: object, where: Where) -> str:
+    """The path of a page beside another one.
+
+    Raises:
+        InputError: if it is no name of a page.
+    """
+    if not isinstance(name, str) or not name.endswith(".toml"):
+        what = f"{shown(str(name))} is no page; write the name of a file beside this one"
+        raise InputError(f"{where}: {what}")
+    return os.path.normpath(os.path.join(os.path.dirname(path), name))
+
+
+def content_of(path: str, name: object, where: Where, opened: Opened | None) -> bytes:
+    """The content of a page beside another one.
+
+    Raises:
+        InputError: if it cannot be read.
+    """
+    named = shown(str(name))
+    try:
+        return (opened or beside)(path)
+    except OSError as error:
+        what = f"{named} cannot be read ({error.strerror}); put it beside this page"
+        raise InputError(f"{where}: {what}") from error
+    except ValueError as error:
+        what = f"{named} cannot be read ({error}); put a page beside this one"
+        raise InputError(f"{where}: {what}") from error
 
 
 def merged(

@@ -76,9 +76,11 @@ NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,99}", re.ASCII)
 class Reader:
     """Reads one page."""
 
-    def __init__(self, places: Places, cited: Sequence[Cite]) -> None:
+    def __init__(
+        self, places: Places, cited: Sequence[Cite], stated: Mapping[str, Obligation] | None = None
+    ) -> None:
         self.places, self.scope = places, Scope()
-        self.cited = cited
+        self.cited, self.stated = cited, stated or {}  # rows of another page
         self.taken: dict[str, str] = {"goal": "is a word of certificates"}
         self.contexts: dict[str, Context] = {}
         self.assumptions: dict[str, Assumption] = {}

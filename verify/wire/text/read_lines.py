@@ -290,13 +290,16 @@ class Lines:
             if term.op == "max":
                 reason = ByEntry(of, "rhs")
             line = f"{name}-{number}", Claim("<=", *sides), reason
-            if "says" not in table:
+            if "says" not in table and line[0] not in self.page.stated:
                 self.page.name(keys, line[0])
                 self._known(Line(*line), home)
                 yield Line(*line)
                 continue
-            says = self.page.text([*keys, "says"], table["says"]).replace("{i}", str(number))
-            yield self._stated(keys, *line, home, {**table, "says": says}, chapter)
+            said = dict(table)
+            if "says" in table:
+                says = self.page.text([*keys, "says"], table["says"])
+                said["says"] = says.replace("{i}", str(number))
+            yield self._stated(keys, *line, home, said, chapter)
 
     def _at_values(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> Claim:
         """A claim at values of the variables of its context, with what the constants are there."""
@@ -363,7 +366,8 @@ class Lines:
         line = Line(name, claim, reason)
         if "verdict" in table:
             line = line._replace(reason=self._negation(keys, table["verdict"], line.reason))
-        said = {**_fields(chapter, _FIELDS[:5]), **_fields(table)}
+        stated = self._as_stated(keys, name, claim)
+        said = {**_fields(chapter, _FIELDS[:5]), **stated, **_fields(table)}
         if home in self.page.sets:
             said, home = self._said_in(home, name, said), None
         fields = self.page.fields(keys, said)
@@ -371,6 +375,17 @@ class Lines:
         self.page.add(keys, Obligation(name=name, claim=claim, context=home, **fields))
         self._known(line, home)
         return line
+
+    def _as_stated(self, keys: Keys, name: str, claim: Claim | Applies | Always) -> dict[str, Any]:
+        """What the other page, whose rows this one shows, says of a row; it has the same claim."""
+        row = self.page.stated.get(name)
+        if row is None:
+            return {}
+        if row.claim != claim:
+            what = f"the page under rows_of has another claim of the name {shown(name)}"
+            raise self.places.error(keys, f"{what}; write that, or choose another name")
+        found = {key: getattr(row, key) for key in _FIELDS if key != "uses"}
+        return {key: value for key, value in found.items() if value}
 
     def _said_in(self, home: str, name: str, said: Mapping[str, Any]) -> dict[str, Any]:
         """What is said of a row of a set; how bad it is if it is false concerns the printed one."""

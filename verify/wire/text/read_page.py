@@ -24,7 +24,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from verify.language.record import TYPE_CHECKING
-from verify.language.statement import Cite
+from verify.language.statement import Cite, Obligation
 from verify.wire.inputs import InputError
 from verify.wire.text import Page
 from verify.wire.text.entries import spelled_out
@@ -55,12 +55,27 @@ def read_page(
     Raises:
         InputError: naming the file, the line, the key, and what to write instead.
     """
-    table, places = _read(path, content)
-    if "include" in table:
-        from verify.wire.text.include import Included, beside  # loaded only where they are used
+    table, places = _whole(path, content, opened)
+    stated: dict[str, Obligation] = {}
+    if "rows_of" in table:
+        from verify.wire.text.include import content_of, path_beside  # only where they are used
 
-        table, places = Included(_read, opened or beside).page(path, content)
-    return Reader(places, cited).page(table, _chapters)
+        name, where = table.pop("rows_of"), places.where(["rows_of"])
+        inner = path_beside(path, name, where)
+        other = _whole(inner, content_of(inner, name, where, opened), opened)
+        rows = Reader(other[1], cited).page(other[0], _chapters).statement.obligations
+        stated = {row.name: row for row in rows}
+    return Reader(places, cited, stated).page(table, _chapters)
+
+
+def _whole(path: str, content: bytes, opened: Opened | None) -> tuple[dict[str, Any], Places]:
+    """The tables in a file and in those that it includes, and where they stand."""
+    table, places = _read(path, content)
+    if "include" not in table:
+        return table, places
+    from verify.wire.text.include import Included, beside  # loaded only where they are used
+
+    return Included(_read, opened or beside).page(path, content)
 
 
 def _read(path: str, content: bytes) -> tuple[dict[str, Any], Places]:

@@ -172,6 +172,11 @@ so(
 )
 so(
     "docs/explanation/classification.md",
+    "for every r < 1 there",
+    has("verify/paper/classification_of_balls.toml", "bead-exists:"),
+)
+so(
+    "docs/explanation/classification.md",
     "needs r < 9 - 4√5",
     row("theorem1-r-3-100", "r-below-stabi"),
 )

@@ -103,6 +103,7 @@ DECIDED = (
 )
 #: Commands that print no verdict.
 SILENT = {
+    "example": "names, and files as they are",
     "bench": "speeds and errors; its verdicts are those of plain doubles, called wrong",
 }
 

@@ -28,7 +28,7 @@ DECIDING = (
 )
 #: Of these files, for each code. Where one of them has changed: the next code, or, if no verdict
 #: and no number can have changed, another digest for this code.
-DIGEST = "056e4c9bc42659c6c3428c456ad2784ff212094d1bf68f4a395ec70c4d299361"
+DIGEST = "6b36ded9b2e3a8866329eeb52e637d1600e257f731a824ebbcbaac2abf861721"
 DIGESTS = {2: DIGEST, 6: DIGEST}
 
 

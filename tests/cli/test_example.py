@@ -61,3 +61,5 @@ def test_what_a_certificate_cites_is_checked_with_it(capsys: pytest.CaptureFixtu
     assert "theorem1-all" in PACKAGED_FILES
     assert main(["check", "theorem1-all"]) == 0
     assert capsys.readouterr().out.count("PROVED: ") == 2
+    assert main(["check", "theorem1-all", "step"]) == 0
+    assert capsys.readouterr().out.count("PROVED: ") == 2

@@ -137,9 +137,10 @@ def folders_at(paths: Sequence[str]) -> list[check.Folder]:
     Raises:
         InputError: for a path that is missing, or no certificate and without one below it.
     """
+    paths = [path for name in paths for path in _packaged(name)]
     pair = len(paths) == 2 and not any(map(os.path.isdir, paths))
     if not pair:
-        paths = [folder for name in paths for path in _packaged(name) for folder in _below(path)]
+        paths = [folder for path in dict.fromkeys(paths) for folder in _below(path)]
     for path in paths:
         if not pair and not os.path.isdir(path):
             what = "is a file" if os.path.exists(path) else "does not exist"

@@ -154,6 +154,7 @@ def test_a_lemma_that_is_not_shown_leaves_the_page_undecided() -> None:
         ('lemma = "y <= 1/2"', 'lemma = "y <= 1/2", false_at = "x = 1"'),
         ('lemma = "y <= 1/2"', 'lemma = "y <= 1/2", verdict = "refuted"'),
         ('lemma = "y <= 1/2"', 'lemma = "y <= 1/2", role = "printed"'),
+        ('by = "both z-positive k"', 'by = "both z-positive", using = "k"'),  # names, no products
         ('by = "before x-positive"', 'by = "before", rule = "root"'),
         ('by = "before x-positive"', 'by = "before", of = "k"'),
         ('verdict = "refuted", by', 'verdict = "proved", by'),

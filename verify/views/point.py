@@ -164,8 +164,8 @@ def known_there(outcome: Outcome) -> str:
         )
     if f"{HYPOTHESES}.stability" in refuted:
         return (
-            "Known there: nothing that decides it. Theorem II (certificates/classification) does "
-            "not exclude collapses with this angle"
+            "Not decided here: theorem II (certificates/classification) does not exclude collapses "
+            "with this angle"
         )
     return ""
 

@@ -40,7 +40,9 @@ def by_bounds(question: Question) -> Proof | None:
     found = _by_function(question, p)
     for name in sorted(question.goal.variables) if found is None else ():
         q = _factor(question, p, name)
-        for fact, bound in () if q is None else _bounds(question, name):
+        if q is None:
+            continue
+        for fact, bound in _bounds(question, name):
             found = _with_bound(question, q, name, fact, bound)
             if found is not None:
                 return found
@@ -97,11 +99,9 @@ def _bounds(question: Question, name: str) -> Iterator[tuple[str, Term]]:
 
 
 def _with_bound(
-    question: Question, q: fmpq_mpoly | None, name: str, fact: str, bound: Term
+    question: Question, q: fmpq_mpoly, name: str, fact: str, bound: Term
 ) -> Proof | None:
     """The claim with a bound in place of the variable, and the bound times its factor."""
-    if q is None:
-        return None
     known = question.session.claims[fact]
     part = -q if known.lhs == symbol(name) else q  # an upper bound: q has to be negative
     claim, value = question.goal.claim, _positive(question, part)

@@ -12,6 +12,8 @@ import math
 from collections.abc import Callable
 from fractions import Fraction
 
+from flint import fmpz
+
 from verify.language.record import Record
 from verify.spheres.scene.scene import Scene
 
@@ -77,12 +79,4 @@ def _shown(middle: Middle, degree: int, bound: Callable[[Fraction], Fraction]) -
 
 def root_below(value: Fraction, degree: int) -> int:
     """The largest whole number whose power is at most a number that is not negative."""
-    whole = math.floor(value)
-    low, high = 0, 1 << (whole.bit_length() // degree + 1)
-    while high - low > 1:
-        middle = (low + high) // 2
-        if middle**degree <= whole:
-            low = middle
-        else:
-            high = middle
-    return low
+    return int(fmpz(math.floor(value)).root(degree))

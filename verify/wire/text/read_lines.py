@@ -609,6 +609,9 @@ class Lines:
         if not isinstance(addends, Facts):
             return BySum(addends, using, equations)
         if using or equations:
+            if addends:
+                what = "names of facts have no equations; write the products: goal + a*b, or leave"
+                raise self.places.error(place, f"{what} using and plus out")
             return BySum((), using, equations)
         return ByNames((*dict.fromkeys((*addends, *self._facts_in(home))),))
 

@@ -94,8 +94,8 @@ def test_a_weaker_given_is_refused(name: str) -> None:
 def test_lies_are_not_proved() -> None:
     text, end = content(PAGE).decode(), ""
     for name, (right, wrong) in LIES.items():
-        before, found, rest = text.partition(f"\n{name}.claim = ")
-        claim, end, after = rest.partition(f"\n{name}.says")
+        before, found, rest = text.partition(f"\n{name}: ")
+        claim, end, after = rest.partition(";")
         assert found
         assert end
         assert claim.count(right) == 1, name

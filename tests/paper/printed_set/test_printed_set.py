@@ -354,7 +354,7 @@ def test_programs_read_the_verdicts(capsys: pytest.CaptureFixture[str]) -> None:
     ("c", "known"),
     [
         ("0.5", "no collapse has -cos of its final angle below 4√r/(1+r)"),
-        ("0.7", "Theorem II (certificates/classification) does not exclude collapses"),
+        ("0.7", "theorem II (certificates/classification) does not exclude collapses"),
     ],
 )
 def test_a_theorem_does_not_apply(

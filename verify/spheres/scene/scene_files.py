@@ -372,9 +372,7 @@ def _apart(where: str, scene: Scene, unit: Fraction) -> None:
     for i, j in PAIRS:
         gap, _, _ = given.pair(i, j)
         if gap < 0:
-            reach = Fraction(1)
-            if scene.bodies is not None:
-                reach = scene.bodies.radii[i] + scene.bodies.radii[j]
+            reach = scene.contact(i, j)
             raise OverlapError(
                 f"{where}: the particles {i} and {j} overlap by about {_overlap(gap, reach)}: "
                 f"their distance has to be at least {exact_number(reach)}{diameters}"

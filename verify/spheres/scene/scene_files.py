@@ -112,6 +112,12 @@ def scene_from(where: str, table: dict[str, Any]) -> Scene:
     return scene
 
 
+def are_apart(scene: Scene) -> bool:
+    """Whether no two particles overlap."""
+    given = coordinates(scene, Fraction)
+    return all(given.pair(i, j)[0] >= 0 for i, j in PAIRS)
+
+
 def is_in_range(scene: Scene) -> bool:
     """Whether r and the dimension are such that a file of this scene can be read."""
     are_inelastic = all(0 < scene.restitution(i, j) < 1 for i, j in PAIRS)

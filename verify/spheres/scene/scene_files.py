@@ -32,8 +32,8 @@ from verify.spheres.scene.scene import (
     coordinates,
     pair_name,
 )
-from verify.wire.inputs import InputError, hundredth, rational, regular_file, shown
-from verify.wire.toml import TWICE, TooLongError, toml_of
+from verify.wire.inputs import InputError, rational, regular_file, shown
+from verify.wire.toml import toml_of
 
 KEYS = ("r", "positions", "velocities")
 #: The diameter of the particles in the file's own unit of length; 1 without it.
@@ -60,6 +60,9 @@ MAX_BYTES = 1 << 20
 R_AT_THE_TOP = (
     'stands below [parameters]; write it at the top, also as an interval: r = "0.01..0.09"'
 )
+
+#: What to write where a line is not TOML, and nobody knows what was meant.
+LIKE_THIS = f"write {', '.join(KEYS)}, such as r = 0.03"
 
 
 class OverlapError(InputError):
@@ -126,18 +129,7 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
     """
     if len(content) > MAX_BYTES:
         raise InputError(f"{where}: has {len(content)} bytes; write at most {MAX_BYTES}")
-    try:
-        table, _ = toml_of(content)
-    except TooLongError as error:
-        raise InputError(f"{where}: {error}; make it shorter") from error
-    except ValueError as error:
-        is_text = not isinstance(error, UnicodeDecodeError)
-        why = " ".join(str(error).split()) if is_text else "it is not UTF-8"
-        twice = next((instead for part, instead in TWICE.items() if part in why), "")
-        meant = (_meant_line(content) if is_text else None) or ", ".join(KEYS)
-        raise InputError(
-            f"{where}: is not valid TOML ({why}); {twice or f'write {meant}'}"
-        ) from error
+    table, _ = toml_of(where, content, LIKE_THIS)
     is_family = "parameters" in table or ".." in str(table.get("r"))
     if is_family and not more:
         raise InputError(
@@ -175,44 +167,6 @@ def _meant_key(odd: str, table: dict[str, Any]) -> str:
     like = get_close_matches(odd, [*KEYS, *OPTIONAL, *LABELS], 1)
     meant = like or (missing if len(missing) == 1 else [])
     return f" (do you mean {meant[0]}?)" if meant else ""
-
-
-def _meant_line(content: bytes) -> str | None:
-    """What was meant by ``r = 0,05``, ``r = 5%``, ``h = 0..1`` or ``[0,05, h]``; or None."""
-    comma, percent = (
-        re.search(rb"^[ \t]*(\w+)[ \t]*=[ \t]*" + number + rb"[ \t\r]*$", content, re.MULTILINE)
-        for number in (rb"(-?\d+),(\d+)", rb"(\d{1,9}(?:\.\d{1,9})?)[ \t]*%")
-    )
-    if comma is not None:
-        name, whole, digits = (part.decode() for part in comma.groups())
-        return f"{name} = {whole}.{digits}, with a decimal point"
-    if percent is not None:
-        name, number = (part.decode() for part in percent.groups())
-        return f"{name} = {hundredth(number)}"
-    for name, text in re.findall(
-        r"^[ \t]*(\w+)[ \t]*=[ \t]*([^\n]+)$", content.decode(), re.MULTILINE
-    ):
-        if not text.startswith("["):
-            words, before = [re.sub(r"[ \t]*#.*", "", text)], f"{name} = "
-        else:
-            words, before = re.findall(r"[\[,][ \t]*([^][,{}#]+)(?=[],])", text), ""
-        for word in map(str.strip, words):
-            if not re.search("[\"'{]", word) and re.search(r"[a-z]|\.\.", word) and _is_odd(word):
-                return f'{before}"{word}", in quotes'
-    among = re.search(rb"[\[,][ \t]*(-?\d+),(0\d+)[ \t]*[\],]", content)  # no number begins with 0
-    if among is not None:
-        whole, digits = (part.decode() for part in among.groups())
-        return f"{whole}.{digits}, with a decimal point"
-    return None
-
-
-def _is_odd(value: str) -> bool:
-    """Whether TOML knows no such value."""
-    try:
-        toml_of(f"value = {value}".encode())
-    except ValueError:
-        return True
-    return False
 
 
 def _each(where: str, key: str, table: dict[str, Any]) -> tuple[Fraction, ...]:

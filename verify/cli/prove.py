@@ -71,7 +71,7 @@ def run(options: Options) -> int:
         raise InputError(f"{path}: a term nests too deeply; name its parts") from error
     if options.out is not None:
         _write(options.out, outcome)
-    outcome = _but_for_citations(outcome)
+    outcome = _with_line(_but_for_citations(outcome), options.STATEMENT, content)
     if options.json:
         print_document(decided_document(outcome))
     else:
@@ -92,6 +92,20 @@ def _publication(outcome: Outcome) -> Publication:
     from verify.paper.source import PAPER  # loaded only where it is used
 
     return PAPER
+
+
+def _with_line(outcome: Outcome, path: str, content: bytes) -> Outcome:
+    """The outcome; where a constant of a page has no value, it says in which line that stands."""
+    name, found, why = outcome.spent.partition(" has no value")
+    if not found or not path.endswith(".toml"):
+        return outcome
+    from verify.wire.text.places import Places  # loaded only where it is used
+
+    places = Places(path, content.decode("utf-8-sig"))
+    keys = ["constants", name]
+    if places.known(keys) < len(keys):
+        return outcome
+    return outcome._replace(spent=f"{places.told(keys)}{found}{why}")
 
 
 def _chosen(statement: Statement, names: str | None) -> Statement:

@@ -221,7 +221,7 @@ def _mended_entry(statement: str) -> tuple[str, str]:
 def _unnamed(statement: str) -> tuple[str, str]:
     """A claim, or another text, without a name."""
     text = " ".join(statement.split("#")[0].split()).strip("\"'")
-    if not text or re.search("[\"'\\\\]", text):
+    if not text or re.search("^\\[|[\"'\\\\]", text):
         raise _UnreadError
     return f"{shown(text)} has no name before it", f'name = "{text}"'
 

@@ -32,6 +32,7 @@ from verify.spheres.scene.scene import (
     coordinates,
     pair_name,
 )
+from verify.spheres.scene.units import refuse_units
 from verify.wire.inputs import InputError, rational, regular_file, shown
 from verify.wire.toml import toml_of
 
@@ -51,8 +52,6 @@ MAX_LABEL = 80
 NO_PHYSICS = frozenset(
     ("box", "force", "forces", "friction", "gravity", "rotation", "spin", "spins", "wall", "walls")
 )
-#: A number with a unit of length, or of speed: ``2 cm``, ``0.5 m/s``.
-_QUANTITY = r"([+-]?[0-9]+(?:\.[0-9]+|/[0-9]+)?) ?((?!e[0-9]|pi|deg|rad)[a-zµμ]+)(?:/([a-z]+))?"
 MAX_DIMENSION = 20
 MAX_BYTES = 1 << 20
 
@@ -97,6 +96,7 @@ def scene_from(where: str, table: dict[str, Any]) -> Scene:
     Raises:
         InputError: naming the file, the key, and what to write instead.
     """
+    refuse_units(where, table)
     both = _restitutions(where, table)
     unit = _diameter(where, table)
     masses, radii = _each(where, MASSES, table), _each(where, RADII, table)
@@ -177,8 +177,7 @@ def _each(where: str, key: str, table: dict[str, Any]) -> tuple[Fraction, ...]:
     if not isinstance(given, list) or len(given) != 3:
         raise InputError(f'{where}: {key}: write one for each particle, like ["1", "2", "1"]')
     found = tuple(
-        (number_in if key == MASSES else _with_unit)(f"{where}: {key} of particle {i}", value)
-        for i, value in enumerate(given)
+        number_in(f"{where}: {key} of particle {i}", value) for i, value in enumerate(given)
     )
     for i, value in enumerate(found):
         if value <= 0:
@@ -241,7 +240,7 @@ def _labels(where: str, table: dict[str, Any], unit: Fraction | None) -> Labels:
 
 def _diameter(where: str, table: dict[str, Any]) -> Fraction:
     given = table.get(DIAMETER, 1)
-    unit = _with_unit(f"{where}: {DIAMETER}", given)
+    unit = number_in(f"{where}: {DIAMETER}", given)
     if unit <= 0:
         raise InputError(f"{where}: {DIAMETER}: {shown(str(given))} is not positive; write 0.02")
     return unit
@@ -252,7 +251,10 @@ def _rows(
 ) -> tuple[tuple[Fraction, ...], ...]:
     rows = table[key]
     if not isinstance(rows, list) or len(rows) != 3 or not all(isinstance(x, list) for x in rows):
-        raise InputError(f"{where}: {key}: write three lists of numbers, one for each particle")
+        raise InputError(
+            f"{where}: {key}: write three lists of numbers, one for each particle, like "
+            "[[0, 0], [2, 0], [1, -3]] without quotes around them"
+        )
     return tuple(
         tuple(_coordinate(f"{where}: {key} of particle {i}", value) / unit for value in row)
         for i, row in enumerate(rows)
@@ -265,17 +267,7 @@ def _coordinate(where: str, value: Any) -> Fraction:
             f"{where}: {shown(value)} is not a number; write coordinates, not angles; terms such "
             "as 2*h need a parameter below [parameters]"
         )
-    return _with_unit(where, value)
-
-
-def _with_unit(where: str, value: Any) -> Fraction:
-    """A number without its unit, which is said once for all numbers of the file."""
-    found = re.fullmatch(_QUANTITY, value) if isinstance(value, str) else None
-    if found is None:
-        return number_in(where, value)
-    units = zip(("length_unit", "time_unit"), found.groups()[1:], strict=True)
-    named = " and ".join(f'{key} = "{unit}"' for key, unit in units if unit)
-    raise InputError(f"{where}: {shown(value)} has a unit; write {found[1]}, with {named}")
+    return number_in(where, value)
 
 
 def number_in(where: str, value: Any) -> Fraction:
@@ -307,6 +299,8 @@ def _same_dimension(where: str, vectors: Mapping[str, Sequence[Sequence[Fraction
         is_clear = times > len(others)
         told = (f"{name} has {n}" for name, n in (others if is_clear else found).items())
         advice = f"{usual} for each, like most have" if is_clear else "the same number for all"
+        if all(n > usual for n in others.values()) and is_clear:
+            advice += "; a decimal has a point, 0.5 for 0,5"
         raise InputError(f"{where}: numbers of coordinates: {', '.join(told)}; write {advice}")
     if not 1 <= usual <= MAX_DIMENSION:
         raise InputError(

@@ -472,7 +472,6 @@ def test_what_is_said_of_a_mistake(old: str, new: str, says: str) -> None:
         ("sin x < 1", "write sin(x)"),
         ("sin²(x) < 1", "write sin(...)^2"),
         ("cos^2(x) < 1", "write cos(...)^2"),
-        ("x in [0, 1]", "write 0 <= x <= 1"),
         ("x ∈ [0, 1]", "write 0 <= x <= 1"),
         ("x < 1e", "write 1e-3, or 1*e"),
         ("2x < 1", "write 2*x"),

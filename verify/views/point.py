@@ -280,12 +280,16 @@ def printed_lines(verdicts: Mapping[str, str], paper: Publication) -> Iterator[s
         )
 
 
-def counted(count: int, severity: str) -> str:
-    """So many rows of a severity: 6 slips of wording, 2 false, but harmless here, 10 remarks."""
-    if severity == OTHERWISE:
-        return f"{count} true, but the reason given does not suffice"
-    several = severity.replace("slip", "slips").replace("remark", "remarks")
-    return f"{count} {severity if count == 1 else several}"
+#: What one row of a severity is, and what several are.
+SEVERAL = {
+    HARMLESS: ("harmless here", "harmless here"),
+    SLIP: ("slip of wording", "slips of wording"),
+    OTHERWISE: (
+        "is true, but the reason given does not suffice",
+        "are true, but the reason given does not suffice",
+    ),
+    REMARK: ("is a remark", "are remarks"),
+}
 
 
 def _argument(outcome: Outcome, paper: Publication) -> Iterator[str]:
@@ -296,18 +300,24 @@ def _argument(outcome: Outcome, paper: Publication) -> Iterator[str]:
         for row, found in outcome.rows
         if row.severity and words.fair(outcome, row, found) in (REFUTED, OTHERWISE, REMARK)
     )
-    rest = [counted(kinds[kind], kind) for kind in (HARMLESS, SLIP) if kinds[kind]]
-    fatal = [row.name for row, found in outcome.rows if words.fair(outcome, row, found) == REFUTED]
-    if any(name in paper.fatal for name in fatal):
-        rest[-1] += ", one fatal"
+    rest = _told(kinds, (HARMLESS, SLIP))
+    refuted = {row.name for row, d in outcome.rows if words.fair(outcome, row, d) == REFUTED}
+    if rest and refuted & paper.fatal.keys():
+        rest += ", one of them that sign"
     if rest:
-        yield f"  Also refuted: {', '.join(rest)}."
-    others = [counted(kinds[kind], kind) for kind in (OTHERWISE, REMARK) if kinds[kind]]
+        yield f"  Also refuted: {rest}."
+    others = _told(kinds, (OTHERWISE, REMARK))
     if others:
-        yield f"  Not held against the paper: {', '.join(others)}."
+        yield f"  Not held against the paper: {others}."
     angle = final_angle(outcome)
     if angle:
         yield f"  {angle}"
+
+
+def _told(kinds: Mapping[str, int], severities: Iterable[str]) -> str:
+    """How many rows there are of some severities: 2 harmless here; 6 slips of wording."""
+    found = ((kinds[kind], SEVERAL[kind]) for kind in severities if kinds[kind])
+    return "; ".join(f"{count} {one if count == 1 else many}" for count, (one, many) in found)
 
 
 def _breaking(outcome: Outcome, paper: Publication) -> Iterator[str]:
@@ -365,4 +375,6 @@ def _set_line(outcome: Outcome, group: str) -> str:
 def _verdict(outcome: Outcome, paper: Publication, sets: list[str]) -> str:
     which = f", {' and '.join(sets)} constants," if sets else ""
     title = f"Theorem 1{which} at {parameters_told(outcome)}"
+    if words.headline(outcome) == words.DOES_NOT_APPLY:
+        title = f"a hypothesis is refuted (exit code 1): {title}"
     return f"Verdict: {words.summary(outcome, paper, title)}"

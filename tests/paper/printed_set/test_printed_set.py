@@ -374,7 +374,7 @@ def test_a_theorem_does_not_apply(
     monkeypatch.setenv("COLUMNS", "9999")
     assert main(["theorem1", "--r", *words]) == 1
     said = capsys.readouterr().out
-    assert "Verdict: does not apply: Theorem 1" in said
+    assert "Verdict: does not apply: a hypothesis is refuted (exit code 1): Theorem 1" in said
     assert known in said
     assert "as printed, with <" not in said
     assert main(["theorem1", "--r", *words, "--json"]) == 1

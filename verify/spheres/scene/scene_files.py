@@ -304,7 +304,7 @@ def _same_dimension(where: str, vectors: Mapping[str, Sequence[Sequence[Fraction
     if others:
         is_clear = times > len(others)
         told = (f"{name} has {n}" for name, n in (others if is_clear else found).items())
-        advice = f"{usual} for each, like most have" if is_clear else "the same number for all"
+        advice = f"{usual} for each, as most have" if is_clear else "the same number for all"
         if all(n > usual for n in others.values()) and is_clear:
             advice += "; a decimal has a point, 0.5 for 0,5"
         raise InputError(f"{where}: numbers of coordinates: {', '.join(told)}; write {advice}")

@@ -65,6 +65,21 @@ def test_the_examples(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert document["judged_by"] == (None if last is None else "FLINT at a point")
 
 
+def test_a_cutoff(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, SCENES / "bead.toml", "--cutoff", "1e-10", "--json")
+    document = json.loads(out)
+    assert (code, err, document["cutoff"]["time"]) == (0, "", "1/10000000000")
+    assert not [error.message for error in VALID.iter_errors(document)]
+    assert (
+        str(document["cutoff"]["collisions"][1])
+        in run(capsys, SCENES / "bead.toml", "--cutoff", "1e-10")[1]
+    )
+    assert "no collapse" in run(capsys, SCENES / "passing.toml", "--cutoff", "1")[1]
+    for words in (["--cutoff", "0"], ["--cutoff", "x"]):
+        assert run(capsys, SCENES / "bead.toml", *words)[0] == 2
+    assert run(capsys, SCENES, "--cutoff", "1")[0] == 2
+
+
 def test_numbers_are_read_exactly(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys, written(tmp_path, GOOD))
     assert (code, out) == run(capsys, SCENES / "nearly-aligned.toml")[:2]

@@ -105,6 +105,23 @@ def afterwards_lines(after: Afterwards, shown: Callable[[Ends], list[str]]) -> I
     yield f"then, if the balls move on with these velocities: {then}"
 
 
+def cutoff_line(verdict: str, cutoff: str, count: tuple[int, int] | None) -> str:
+    """After how many collisions less time than the cutoff is left."""
+    if verdict != COLLAPSES:
+        return "--cutoff: no collapse is proved"
+    if count is None:
+        return f"when less time than {cutoff} is left is not known; allow more --collisions"
+    least, most = count
+    number = str(least) if least == most else f"{least} to {most}"
+    words = "1 collision" if count == (1, 1) else f"{number} collisions"
+    return f"after {words} less time than {cutoff} is left"
+
+
+def cutoff_document(cutoff: Fraction, count: tuple[int, int] | None) -> dict[str, Any]:
+    """The same as JSON."""
+    return {"time": str(cutoff), "collisions": None if count is None else list(count)}
+
+
 def collision_table(steps: Iterable[Step], bits: int, unit: str) -> Iterator[str]:
     """The collisions, a line each: pair, time, time since the last one, and the state just after.
 

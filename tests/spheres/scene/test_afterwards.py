@@ -15,7 +15,7 @@ from tests.spheres.scene.kinds import random_scene_of
 from tests.spheres.scene.scenes import aligned, on_a_line
 from tests.spheres.scene.test_three_balls import scenes
 from verify.measure.simulation import DIGITS, Impact, simulate
-from verify.spheres.scene.afterwards import MEET, TOGETHER, Afterwards, afterwards
+from verify.spheres.scene.afterwards import MEET, TOGETHER, Afterwards, afterwards, collisions_until
 from verify.spheres.scene.decide import COLLAPSES, Budget, Fate, decide_scene
 from verify.spheres.scene.energy import energy_at_start, masses_of
 from verify.spheres.scene.scene import PAIRS, Scene
@@ -157,6 +157,27 @@ def test_two_may_meet_again() -> None:
             assert distance(x, w, low) > 1 - mpmath.mpf(10) ** -9
             assert distance(x, w, high) < 1 + mpmath.mpf(10) ** -9
             assert high - low < low / 1000
+
+
+@pytest.mark.parametrize("power", [0, 2, 5, 12, 40])
+def test_what_is_left_until_the_collapse_is_that_of_a_simulation(power: int) -> None:
+    cutoff = Fraction(1, 10**power)
+    for found, _ in collapses([aligned(), *scenes(12, 5), *random_scenes("near-space", 3)]):
+        count = collisions_until(found, cutoff, Budget())
+        assert count is not None
+        least, most = count
+        assert least == most
+        times = [0, *(impact.time for impact in simulate(found.flow.scene, most + FAR))]
+        with mpmath.workdps(DIGITS):
+            left = [times[-1] - time for time in times]
+            assert left[most] < mpmath.mpf(10) ** -power
+            assert most == 0 or left[most - 1] >= mpmath.mpf(10) ** -power
+
+
+def test_a_cutoff_needs_a_collapse_and_a_budget() -> None:
+    assert collisions_until(decide_scene(on_a_line("0.5")), Fraction(1), Budget()) is None
+    found = decide_scene(aligned())
+    assert collisions_until(found, Fraction(1, 10**60), Budget(collisions=10)) is None
 
 
 def distance(x: list[Any], w: list[Any], time: Any) -> Any:

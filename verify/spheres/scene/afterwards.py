@@ -14,11 +14,11 @@ from verify.prover import balls
 from verify.spheres.flow.collapse import Collapse
 from verify.spheres.flow.follow import Moment, never_meets
 from verify.spheres.flow.law import Number
-from verify.spheres.scene.decide import Budget, Fate, decide_scene
+from verify.spheres.scene.decide import MAX_DIGITS, Budget, Fate, decide_scene
 from verify.spheres.scene.energy import energy_lost, later_speeds, masses_of
 from verify.spheres.scene.scene import Coordinates, Frame, pair_name
 from verify.spheres.scene.trajectory import Ends, shares, trajectory
-from verify.spheres.scene.verdict import ball_ends
+from verify.spheres.scene.verdict import ball_ends, time_ends
 
 #: How the spheres move on: on a line together, for ever apart, two meet again, or nobody knows.
 TOGETHER, APART, MEET, UNKNOWN = "together", "apart", "meet", "unknown"
@@ -69,6 +69,24 @@ def afterwards(found: Fate, budget: Budget) -> Afterwards | None:
             break
         known, digits = more, 2 * digits
     return known
+
+
+def collisions_until(found: Fate, cutoff: Fraction, budget: Budget) -> tuple[int, int] | None:
+    """The least number of collisions after which less time than the cutoff is left to a collapse.
+
+    It is between two numbers; None without a collapse, or if the budget does not suffice.
+    """
+    start, digits = (Fraction(0), Fraction(0)), 0
+    while (whole := time_ends(found)) is not None and digits <= MAX_DIGITS:
+        low, high = whole
+        times = [start, *(ball_ends(m.after.time, found.flow.bits) for m in found.flow.collisions)]
+        least = next((n for n, (_, late) in enumerate(times) if low - late < cutoff), None)
+        most = next((n for n, (early, _) in enumerate(times) if high - early < cutoff), None)
+        if least is not None and most is not None:
+            return least, most
+        digits = max(digits + 8, len(str(int(high / cutoff))) + 3)
+        found = decide_scene(found.flow.scene, budget._replace(digits=digits))
+    return None
 
 
 def _at_the_end(found: Fate) -> Afterwards | None:

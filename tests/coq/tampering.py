@@ -510,7 +510,7 @@ def modules(parts: dict[str, str]) -> dict[str, str]:
         name: re.sub("^Print Assumptions .*", "", text, flags=re.MULTILINE)
         for name, text in parts.items()
     }
-    # What is compiled comes first: else its files would take the short names of those that are changed.
+    # What is compiled comes first: else it would take the short names of what is changed.
     lines = [sentence.findall(text) for text in parts.values()]
     needed = {name for found in lines for _, names in found for name in names.split()} - {*parts}
     first = f"From Verify Require {' '.join(sorted(needed))}.\n" if needed else ""

@@ -510,10 +510,16 @@ def modules(parts: dict[str, str]) -> dict[str, str]:
         name: re.sub("^Print Assumptions .*", "", text, flags=re.MULTILINE)
         for name, text in parts.items()
     }
-    return {
+    # What is compiled comes first: else it would take the short names of what is changed.
+    lines = [sentence.findall(text) for text in parts.values()]
+    needed = {name for found in lines for _, names in found for name in names.split()} - {*parts}
+    first = f"From Verify Require {' '.join(sorted(needed))}.\n" if needed else ""
+    texts = {
         name: f"Module {name}.\n{sentence.sub(required, text)}\nEnd {name}.\n"
         for name, text in silent.items()
     }
+    name, text = next(iter(texts.items()))
+    return {**texts, name: first + text}
 
 
 def first_that_fails(directory: Path, parts: dict[str, str]) -> str:

@@ -404,3 +404,24 @@ def test_squares_in_fpcore_are_not_written_out(tmp_path: Path) -> None:
     lets = _chain(40, "(let ((t{0} (* t{1} t{1}))) ").replace("t0", "x")
     path.write_text(f"(FPCore (x) :pre (<= 0 x 1) {lets}t39{')' * 40}", encoding="utf-8")
     assert main(["prove", str(path), "--time", "2"]) in (0, 3)
+
+
+def test_a_row_that_a_given_needs_has_no_other_forms(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The sign of a divisor was proved; the time was over where it was to be proved again."""
+    now = [0.0]
+
+    def watch(name: str) -> None:
+        if "defined" not in name:
+            now[0] = 80.0
+
+    monkeypatch.setattr("verify.prover.budget.monotonic", lambda: now[0])
+    text = (
+        f"{X}(declare-const y Real)(assert (and (<= (- 2) x 2) (<= 0 y 1)))"
+        "(assert (xor (or (= (+ 1 0.5 2) (+ (- 1 y) 1 0.5)) (> (/ (/ 1 3) (+ 1 (* x x))) 0.5))"
+        "(<= (- (/ 1 3)) (* x x))))(assert (xor (< (- x) x) (distinct 1 (/ 0.5 3))))"
+        "(assert (> (* 2 2) (+ 2 0.5 2)))(check-sat)"
+    )
+    page = read_page_of("f.smt2", text.encode(), {})
+    outcome = decide_page(page, WorkBudget(seconds=100, watch=watch))
+    assert any("defined" in row.name for row, _ in outcome.rows)
+    assert outcome.claimed == UNDECIDED

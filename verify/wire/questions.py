@@ -139,7 +139,8 @@ def decide_page(page: Page, budget: WorkBudget) -> Outcome:
         return decide(statement, budget, page.hints)
     with budget.part(1, 1.5) as most:
         first = decide(statement, most, page.hints)
-    open_rows = [row.name for row, found in first.rows if found.claimed == UNDECIDED]
+    undecided = {row.name for row, found in first.rows if found.claimed == UNDECIDED}
+    open_rows = [row.name for row in statement.obligations if row.name in undecided]
     found: dict[str, Outcome] = {}
     for left, name in zip(range(len(open_rows), 0, -1), open_rows, strict=True):
         outcome = _by_other_forms(page, name, budget, left)

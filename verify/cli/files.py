@@ -430,6 +430,9 @@ def _listed(folder: str) -> list[str]:
 
 def print_document(document: Mapping[str, Any]) -> None:
     """Print one JSON document on stdout."""
-    import json  # loaded only where it is used
+    import json  # loaded only where they are used
 
+    from verify.cli.terminal import erase
+
+    erase()
     print(json.dumps(document, ensure_ascii=False, indent=1))

@@ -93,7 +93,7 @@ def outcome_of(where: str) -> Outcome:
             f"folder: {shown(where)} is no folder; name one with a certificate, or write one of: "
             f"{', '.join(near)}"
         )
-    progress(f"proving {where}")
+    progress(f"proving {where} …")
     return accepted_outcome(statements()[where]())
 
 

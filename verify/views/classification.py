@@ -86,7 +86,8 @@ def theorem_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
 
 def restitution_lines(found: AtR) -> Iterator[str]:
     """What the theorems say at one r, for three balls of equal mass."""
-    yield f"At r = {exact_number(found.r)}, three balls of equal mass"
+    kind = " (elastic collisions)" if found.r == 1 else ""
+    yield f"At r = {exact_number(found.r)}{kind}, three balls of equal mass"
     yield f"  the final -cos θ of a collapse is at least 4√r/(1+r) = {short(found.least_neg_cos)}"
     if found.undecided:
         yield "  a longest run exists, but the work budget does not suffice to count it"

@@ -15,7 +15,7 @@ BUDGET = 1 << 37
 
 
 def at_restitution(r: Fraction) -> AtR:
-    """What the theorems say for 0 < r < 1; all but the enclosure is exact.
+    """What the theorems say for 0 < r ≤ 1; all but the enclosure is exact.
 
     With t^3 = r the bound of glue-second, 2t(1+t)/(1+r), exceeds 1 just if t^2 - 3t + 1 < 0: for
     r > 9-4√5, which is a root of r^2 - 18r + 1.
@@ -32,7 +32,7 @@ def at_restitution(r: Fraction) -> AtR:
 
 
 def at_masses(masses: tuple[Fraction, ...], r: Fraction) -> AtMasses:
-    """What the classification of balls says of three masses and one r in ]0,1[, exactly.
+    """What the classification of balls says of three masses and one r in ]0,1], exactly.
 
     b² is (1+r)²M, so that b < 2√r just if r > (1-√(1-M))/(1+√(1-M)) = M/(1+√(1-M))².
     """

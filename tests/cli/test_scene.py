@@ -737,9 +737,12 @@ def test_a_sample_of_some_parameters(tmp_path: Path, capsys: pytest.CaptureFixtu
     [
         ((), "is a family of scenes; add --sample N, or --at"),
         (("--grid", "r=0.01..0.1:4", "--at", "h=0"), "--grid: v has no value; add --at v=A"),
-        (("--grid", "r=0.01..0.1"), "'r=0.01..0.1': write NAME=A..B:N once for some of h, r, v"),
+        (
+            ("--grid", "r=0.01..0.1"),
+            "'r=0.01..0.1': write r=0.01..0.1:5 for 5 values, once for some of h, r, v",
+        ),
         (("--grid", "r=0.01..0.2:4"), "--grid: r=0.2 is not in 0.01..0.1"),
-        (("--grid", "q=0.01..0.2:4"), "write NAME=A..B:N once for some of h, r, v"),
+        (("--grid", "q=0.01..0.2:4"), "write NAME=A..B:N, once for some of h, r, v"),
         (("--grid", "r=0.01..0.02:1"), "--grid: "),
         (("--grid", "r=0.01..0.1:1000,h=0..0.1:1001"), "more than 1000000 points"),
         (("--grid", "r=0.01..0.1:2", "--at", "r=0.02"), "for some of h, v"),
@@ -750,7 +753,7 @@ def test_a_sample_of_some_parameters(tmp_path: Path, capsys: pytest.CaptureFixtu
         (("--at", "0.04"), "--at: '0.04': write NAME=A for each of h, r, v"),
         (
             ("--at", "h=0,001,v=0,3"),
-            "'001': write NAME=A for each of h, r, v, with a decimal point",
+            "write h=0.001,v=0.3\n",
         ),
         (("--at", "h=1,r=0.03,v=0"), "--at: h=1 is not in 0..0.1, its interval in "),
         (("--at", "h=1"), "--at: r is missing"),

@@ -16,7 +16,7 @@ from verify.cli.options import COLOR, JSON, VERBOSE, Options, Usage
 from verify.cli.steps import watched
 from verify.cli.terminal import show
 from verify.language.record import Record
-from verify.wire.inputs import InputError, shown
+from verify.wire.inputs import InputError, near, shown
 from verify.wire.packaged import PACKAGED, PACKAGED_FILES, cited_digests, packaged_files
 
 FORMAT = "verify-check/1"
@@ -144,8 +144,10 @@ def folders_at(paths: Sequence[str]) -> list[check.Folder]:
     for path in paths:
         if not pair and not os.path.isdir(path):
             what = "is a file" if os.path.exists(path) else "does not exist"
+            meant = near(path, PACKAGED_FILES) or f"one of {', '.join(PACKAGED_FILES)}"
             raise InputError(
-                f"path: {shown(path)} {what}; name a folder with {' and '.join(NAMES)}"
+                f"path: {shown(path)} {what}; name a folder with {' and '.join(NAMES)}, or {meant}"
+                ", which comes with the program"
             )
         for name in paths if pair else [os.path.join(path, name) for name in NAMES]:
             if not os.path.isfile(name):

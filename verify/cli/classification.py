@@ -27,7 +27,7 @@ from verify.wire.inputs import InputError, rational, shown
 
 USAGE = Usage(
     {
-        "--r R": "what the theorems say at R in ]0,1[ (exact: 0.08, 2/25 or 8e-2)",
+        "--r R": "what the theorems say at R in ]0,1] (exact: 0.08, 2/25 or 8e-2)",
         "--masses M,M,M": "and of three balls with these masses, with --r",
         **claims.OPTIONS,
     }
@@ -49,7 +49,7 @@ def masses_in(text: str) -> tuple[Fraction, ...]:
 
 def run(options: Options) -> int:
     """Print the theorems or the document, write the files, return the exit code."""
-    r = None if options.r is None else restitution(options.r)
+    r = None if options.r is None else restitution(options.r, elastic=True)
     masses = None if options.masses is None else masses_in(options.masses)
     if masses is not None and r is None:
         raise InputError("--masses: add --r R, the coefficient of restitution of all pairs")

@@ -11,6 +11,7 @@ from hashlib import sha256
 
 from verify import check
 from verify.cli.files import (
+    PAGES,
     example,
     print_document,
     read_bytes,
@@ -36,7 +37,8 @@ INTERRUPTED = 130
 
 USAGE = Usage(
     {
-        "STATEMENT": "a page of constants (.toml), or a statement.json of questions",
+        "STATEMENT": "a page of constants (.toml), a statement.json of questions, or an "
+        f"example: {', '.join(PAGES)}",
         "--rows NAME,NAME": "decide only these rows, and leave the others out",
         "--out DIR": "write the decided statement and a certificate of it",
         "--work N": f"units of work for each row (default {WORK})",

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Mapping
 from fractions import Fraction
 
-from verify.cli.files import example, print_document, read_bytes, test_folder, write_file
+from verify.cli.files import SCENES, example, print_document, read_bytes, test_folder, write_file
 from verify.cli.options import CERTIFICATE, COLOR, JSON, Options, Usage
 from verify.cli.steps import MAX_JOBS
 from verify.cli.terminal import FIXED, show
@@ -33,7 +33,7 @@ PLOT_DIGITS = 12
 
 USAGE = Usage(
     {
-        "scene": "a scene file, or a folder of them",
+        "scene": f"a scene file, a folder of them, or an example: {', '.join(SCENES)}",
         "--digits N": "digits of the time of a collapse, the final angle and the velocities",
         "--cutoff T": "say after how many collisions less time than T is left to a collapse",
         "--collisions N": "how many are followed (default 1000)",
@@ -188,7 +188,7 @@ def _write_tables(
 def _text(found: Fate, judge: str, limits: Budget, options: Options) -> list[str]:
     known = told(found)
     lines = [*known.lines, *filter(None, [known.degrees, given_line(known, judge)])]
-    if not options.verbose:
+    if not options.verbose or not found.flow.collisions:
         return lines
     unit = known.scene.labels.time_unit
     table = [*collision_table(steps(found), known.bits, unit), ""]

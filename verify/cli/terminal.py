@@ -48,6 +48,7 @@ def show(lines: Iterable[str], options: Options, *, records: bool = False) -> No
     ``NO_COLOR`` is set. What a title or a sentence has of line feeds and other signs that are not
     printed cannot make a line of its own, or steer the terminal.
     """
+    erase()
     lines = map(_as_one_line, lines)
     when = options.color or "auto"
     terminal = sys.stdout.isatty()
@@ -71,10 +72,25 @@ def is_watched() -> bool:
     return sys.stderr is not None and sys.stderr.isatty()
 
 
+class _Line:
+    """The line at the end of a terminal's stderr that says how far a job is."""
+
+    is_shown = False
+
+
 def progress(text: str) -> None:
-    """Print on stderr what is being done, if that is a terminal."""
+    """Say on stderr what is being done, in place of what was said before, if that is watched."""
     if is_watched():
-        print(f"{text} …", file=sys.stderr)
+        most = max(width() - 1, 1)  # a line that is wrapped could not be erased
+        print(f"\r{text[:most]}\x1b[K", end="", file=sys.stderr, flush=True)
+        _Line.is_shown = True
+
+
+def erase() -> None:
+    """Afterwards no progress is shown: what is printed then has lines of its own."""
+    if _Line.is_shown:
+        _Line.is_shown = False
+        print("\r\x1b[K", end="", file=sys.stderr, flush=True)
 
 
 def width() -> int:

@@ -14,16 +14,22 @@ _PI = r"(?:([0-9][0-9.eE/+-]*)\*?)?(?:pi|π)(?:/([0-9]+))?"
 _DEGREES = r"([0-9][0-9.eE/+-]*) ?(?:deg|degrees|°)"
 
 
-def restitution(text: str) -> Fraction:
-    """Read a restitution coefficient in ]0,1[.
+def restitution(text: str, *, elastic: bool = False) -> Fraction:
+    """Read a restitution coefficient in ]0,1[, or 1 where collisions may be ``elastic``.
 
     Raises:
         InputError: for any other text.
     """
     r = rational("--r", text)
-    if not 0 < r < 1:
-        raise InputError(f"--r: {shown(text)} is not in ]0,1[; write for example 0.03")
+    if not 0 < r < 1 and not (elastic and r == 1):
+        where = "]0,1]" if elastic else "]0,1["
+        known = ELASTIC if r == 1 else ""
+        raise InputError(f"--r: {shown(text)} is not in {where}; write for example 0.03{known}")
     return r
+
+
+#: What is known at r = 1, where nothing collapses.
+ELASTIC = "; what is proved at 1 is told by verify classification --r 1"
 
 
 def neg_cos(text: str) -> Fraction:

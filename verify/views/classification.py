@@ -88,7 +88,8 @@ def theorem_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
 
 def restitution_lines(found: AtR) -> Iterator[str]:
     """What the theorems say at one r, for three balls of equal mass."""
-    yield f"At r = {exact_number(found.r)}, three balls of equal mass"
+    kind = " (elastic collisions)" if found.r == 1 else ""
+    yield f"At r = {exact_number(found.r)}{kind}, three balls of equal mass"
     if found.excluded:
         yield f"  no collapse, by II: finitely many collisions{UNLESS}"
     else:

@@ -109,7 +109,7 @@ said(
 said(
     "README.md",
     "*Given {} assumptions*: a definition (what hard spheres do), {} textbook theorems, and {} "
-    "sentences of *glue*",
+    "of *glue*",
     *(
         len(KINDS),
         NUMBERS[KINDS.count("general mathematics")],
@@ -675,11 +675,11 @@ said(
 )
 said(
     P,
-    "The first verdict rests on {} sentences, of which Coq has proved {}; the",
+    "The first verdict rests on {} assumptions, of which Coq has proved {}; the",
     *SIGN,
 )
 said(P, "prints {}, since it has", printed_by_checker("printed-sign"))
-said(P, "rests on {} sentences, of which Coq has proved {};", *SET)
+said(P, "rests on {} assumptions, of which Coq has proved {};", *SET)
 said(P, "every δ_θ ≤ {}.", angle()[0])
 said(
     P,

@@ -248,7 +248,8 @@ said(
     ),
 )
 said(P, "as printed, π/2 < θ₀ ≤ π", by=coded("π/2<θ₀≤π", V, "PI / 2 < theta_0 <= PI"))
-said(P, "each d ≥ 2 there is a set", by=coded("d≥2", V, "(2 <= d)%nat"))
+said(P, "each d ≥ 2 |", by=coded("d≥2", V, "(2 <= d)%nat -> hypotheses_as_printed"))
+said(P, "in each dimension d ≥ 2:", by=coded("d≥2", V, "(2 <= d)%nat -> 0 < r < 1"))
 said(P, "θ₀ = 2π/3,", by=coded("θ₀=2π/3,", "verify/coq/PrintedSignProof.v", "(2 * (PI / 3))"))
 said(P, "δ_θ = 1/10);", by=coded("δ_θ=1/10)", "verify/coq/PrintedSignProof.v", "(1 / 10)"))
 V = "verify/coq/PinnedLine.v"

@@ -102,7 +102,7 @@ def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["scene", "huge.toml"], "huge.toml: positions of particle 1: "),
         (["scene", "empty"], "empty: 'positions' is missing; write r, positions, velocities"),
         (["scene", "digits.json"], "a number or a name has more than 4300 signs; make it shorter"),
-        (["scene", "bytes"], "is not valid TOML (it is not UTF-8); write r, positions, velocities"),
+        (["scene", "bytes"], "is not valid TOML (it is not UTF-8); save it as UTF-8"),
         (["scene", "folder"], "no file that ends in .toml"),
         (["scene", PARTING, "--plot", "x\n.png"], "ends in neither .svg nor .html"),
         (["scene", PARTING, "--plot", "folder.svg"], "--plot: "),

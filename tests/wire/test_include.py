@@ -82,7 +82,7 @@ def test_what_cannot_be_included_is_refused(
 
 @pytest.mark.parametrize("name", pages.names())
 def test_the_digest_of_a_page_covers_what_it_includes(name: str) -> None:
-    table, _ = toml_of(pages.content(name))
+    table, _ = toml_of(name, pages.content(name), "")
     assert bool({"include", "rows_of"} & {*table}) == bool(pages.included(name))
     assert all(text in pages.whole(name) for text in pages.included(name).values())
 
@@ -141,3 +141,17 @@ def test_the_other_page_has_to_be_there(tmp_path: Path) -> None:
     path = written(tmp_path, page=SHOWN + SHOWN_ROWS)
     with pytest.raises(InputError, match=r"stated\.toml"):
         read_page(str(path), path.read_bytes())
+
+
+@pytest.mark.parametrize(("count", "is_read"), [(90, True), (3000, False)])
+def test_a_long_chain_of_pages(count: int, is_read: bool, tmp_path: Path) -> None:
+    for i in range(count):
+        (tmp_path / f"{i}.toml").write_text(f'include = "{i + 1}.toml"')
+    (tmp_path / f"{count}.toml").write_text('rows = "x: 1 < 2"')
+    page = b'title = "t"\ninclude = "0.toml"'
+    path = str(tmp_path / "page.toml")
+    if is_read:
+        assert [row.name for row in read_page(path, page).statement.obligations] == ["x"]
+    else:
+        with pytest.raises(InputError):
+            read_page(path, page)

@@ -19,7 +19,7 @@ from verify.spheres.map.planes import FamilyPlane, Place, Scenes, Side, Through
 from verify.spheres.scene.families import Family, FamilyTerms, read_family
 from verify.spheres.scene.scene import Coordinates
 from verify.spheres.scene.scene_files import OPTIONAL, read_scene
-from verify.wire.inputs import InputError, rational, shown
+from verify.wire.inputs import InputError, between, rational, shown
 
 #: The letters of the operations of terms.
 LETTERS = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
@@ -60,7 +60,8 @@ def interval_in(option: str, text: str) -> Side:
     """
     words = text.split("..")
     if len(words) != 2:
-        raise InputError(f"{option}: {shown(text)} is no interval; write A..B")
+        meant = between(text) or "A..B"
+        raise InputError(f"{option}: {shown(text)} is no interval; write {meant}")
     low, high = (rational(option, word) for word in words)
     if not low < high:
         raise InputError(f"{option}: {shown(text)} is not A < B; write such an interval")
@@ -138,6 +139,8 @@ def _side(family: Family, axis: Axis) -> Side:
             f"or a place: {EXAMPLE}"
         )
     side = axis.side or family.sides.get(axis.name)
+    for end in axis.side or () if axis.name in family.sides else ():
+        family.test_inside(axis.option, axis.name, end)
     if side is None:
         raise InputError(f"{axis.option}: {axis.name} has no interval; write {axis.name}=A..B")
     return side
@@ -152,6 +155,8 @@ def _values(
     missing = sorted(family.sides.keys() - letters.keys() - fixed.keys())
     if missing:
         raise InputError(f"--at: {missing[0]} is neither an axis nor fixed; add {missing[0]}=A")
+    for name, value in fixed.items():
+        family.test_inside("--at", name, value)
     return {name: letters.get(name, fixed.get(name, Fraction(0))) for name in family.sides}
 
 

@@ -24,6 +24,7 @@ from typing import Any
 
 from verify.language.record import Record
 from verify.language.terms import Term
+from verify.prover.decimals import exact_number
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.scene_files import (
     DIAMETER,
@@ -38,6 +39,7 @@ from verify.spheres.scene.scene_files import (
     scene_from,
     toml_table,
 )
+from verify.spheres.scene.units import refuse_units
 from verify.wire.inputs import InputError, rational, shown
 
 PARAMETERS = "parameters"
@@ -79,6 +81,20 @@ class Family(Record):
     sides: Mapping[str, Side]
     table: Mapping[str, Any]
     fixed: Mapping[str, Fraction] = {}
+
+    def test_inside(self, option: str, name: str, value: Fraction) -> None:
+        """Afterwards the value is in the interval that the file has for the parameter.
+
+        Raises:
+            InputError: if it is not, naming the option.
+        """
+        low, high = self.sides[name]
+        if not low <= value <= high:
+            ends = f"{exact_number(low)}..{exact_number(high)}"
+            raise InputError(
+                f"{option}: {name}={exact_number(value)} is not in {ends}, its interval in "
+                f"{self.where}; write a number in it"
+            )
 
     def terms(self, values: Mapping[str, Fraction | Term]) -> FamilyTerms:
         """The scenes in which some parameters are numbers and others stay as they are.
@@ -131,6 +147,7 @@ def read_family(where: str, content: bytes) -> Family:
         raise InputError(f"{where}: r: {R_AT_THE_TOP}")
     for name in given:
         _test_name(where, name)
+    refuse_units(where, table, given)
     sides = {name: _side(where, name, text) for name, text in given.items()}
     if isinstance(table.get("r"), str) and ".." in table["r"]:
         sides["r"] = _side(where, "r", table["r"])
@@ -155,6 +172,10 @@ def _side(where: str, name: str, text: object) -> Side:
     words = text.split("..") if isinstance(text, str) else []
     if len(words) != 2:
         raise InputError(f'{place}: {shown(str(text))} is no interval; write it like "0..0.1"')
+    numbers = [re.match(r"[-+]?[0-9][0-9./]*(?:[eE][-+]?[0-9]+)?(?= ?[^\W\d_])", w) for w in words]
+    if any(numbers):
+        bare = "..".join(n[0] if n else w.strip() for n, w in zip(numbers, words, strict=True))
+        raise InputError(f'{place}: {shown(str(text))} has a unit; write "{bare}"')
     low, high = (rational(place, word) for word in words)
     if not low < high:
         raise InputError(f"{place}: {shown(str(text))} is not A < B; write such an interval")

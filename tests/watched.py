@@ -109,7 +109,7 @@ said(
 said(
     "README.md",
     "*Given {} assumptions*: a definition (what hard spheres do), {} textbook theorems, and {} "
-    "sentences of *glue*",
+    "of *glue*",
     *(
         len(KINDS),
         NUMBERS[KINDS.count("general mathematics")],
@@ -222,6 +222,7 @@ said(
         "3rα₀+r(1+r)<α₀³", V, "3 * r * ((1 + r) / 2 * c) + r * (1 + r) < ((1 + r) / 2 * c) ^ 3"
     ),
 )
+said(P, "0 < c ≤ 1", by=coded("0 < c ≤ 1", V, "0 < c <= 1"))
 said(P, "d_slope · η_c²", by=coded("d_slopeη_c²", V, "d_slope * y ^ 2"))
 said(P, "the distance 1 + d₀", by=coded("1+d₀", V, "1 + d_0"))
 said(P, r"\|Δθ\|/4 instead", by=coded("|Δθ|/4", V, "Delta_theta / 4"))
@@ -676,11 +677,11 @@ said(
 )
 said(
     P,
-    "The first verdict rests on {} sentences, of which Coq has proved {}; the",
+    "The first verdict rests on {} assumptions, of which Coq has proved {}; the",
     *SIGN,
 )
 said(P, "prints {}, since it has", printed_by_checker("printed-sign"))
-said(P, "rests on {} sentences, of which Coq has proved {};", *SET)
+said(P, "rests on {} assumptions, of which Coq has proved {};", *SET)
 said(P, "every δ_θ ≤ {}.", angle()[0])
 said(
     P,

@@ -407,10 +407,10 @@ def law_around(r: Number, kind: Arithmetic = MODELS) -> Law:
     """The same for an r that is one of the numbers of a box.
 
     Raises:
-        RefusedError: if it may not be in ]0,1[.
+        RefusedError: if it may not be in (0, 1).
     """
     if r[0] <= 0 or r[1] >= ONE:
-        raise RefusedError("r may not be in ]0,1[")
+        raise RefusedError("r may not be in (0, 1)")
     half = kind.mul(kind.add(kind.one, r), number(kind, Fraction(1, 2)))
     return Law(kind, r, half, kind.sub(kind.one, kind.square(r)), r[:2])
 

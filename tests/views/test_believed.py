@@ -23,7 +23,7 @@ def line(capsys: pytest.CaptureFixture[str], *words: str) -> str:
     """The sentence that a command prints on what is believed."""
     assert main([*words]) == 0
     out = " ".join(capsys.readouterr().out.split())
-    return "Uses " + out.partition("Uses ")[2].partition(" The sentences:")[0]
+    return "Uses " + out.partition("Uses ")[2].partition(" Their text:")[0]
 
 
 def test_coq_has_proved_all_but_the_definition_of_the_step(

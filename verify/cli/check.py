@@ -239,13 +239,13 @@ def _brief(line: str) -> str:
 
 
 def _out_of_range(statement: bytes) -> str:
-    """That r, if the statement has one, is not in ]0,1[."""
+    """That r, if the statement has one, is not in (0, 1)."""
     import json  # loaded only where it is used
 
     text = json.loads(statement)["parameters"].get("r")
     is_number = isinstance(text, str) and NUMBER.fullmatch(text)
     return (
-        f": its r = {text:.60} is not in ]0,1[" if is_number and not 0 < Fraction(text) < 1 else ""
+        f": its r = {text:.60} is not in (0, 1)" if is_number and not 0 < Fraction(text) < 1 else ""
     )
 
 

@@ -50,8 +50,8 @@ MAX_BOXES, MAX_LEVEL = 10**8, 26
 USAGE = Usage(
     {
         "plane": "phi: of φ1 = eta_s/(-eta_c) and φ2 = d/eta_c²; or the file of a scene",
-        "--r R": "phi: restitution coefficient in ]0,1[",
-        "--neg-cos C": "phi: -cos of the angle, in ]0, 1] (default 1)",
+        "--r R": "phi: restitution coefficient in (0, 1)",
+        "--neg-cos C": "phi: -cos of the angle, in (0, 1] (default 1)",
         "--speed V": "phi: -eta_c (default 1/100)",
         "--tangential U_C,U_S": "phi: tangential speeds (default 1,1)",
         "--x A..B": "φ1 (default 0..1/2); for a scene NAME=A..B: r, a parameter",

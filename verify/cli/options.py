@@ -47,7 +47,7 @@ def leave_out(
 
 
 #: What several commands have.
-VERBOSE = {"-v, --verbose": "print every row, and every sentence taken on trust"}
+VERBOSE = {"-v, --verbose": "print every row and every assumption"}
 ROWS = {"--rows NAME": "print the rows of this name, label or (4.47) only"}
 JSON = {"--json": "one JSON document on stdout"}
 COLOR = {"--color WHEN": "auto (default), always or never"}

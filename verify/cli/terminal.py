@@ -32,8 +32,10 @@ _STYLES = {
     "undecided": _OPEN,
 }
 _WORDS = "|".join(_STYLES)
-#: A verdict at the start of a line or after a colon.
-_VERDICT = rf"(^ *|: )({_WORDS})(?=$|[ :;,.])"
+#: A verdict: any word of these at the start of a line; after a colon, where prose may follow too,
+#: only what a claim has, and only where it ends there.
+_AT_END = r"(: )(proved|refuted|undecided)(?=$|[:;,.]| \()"
+_VERDICT = rf"^( *)({_WORDS})(?=$|[ :;,.])|{_AT_END}"
 _SYMBOL = rf"[✓✗?] ({_WORDS})"
 #: How a line begins that is a command, to be pasted into a shell.
 _COMMAND = "verify "
@@ -140,7 +142,8 @@ def _broken(line: str, columns: int) -> Iterator[str]:
 
 
 def _with_symbol(match: re.Match[str]) -> str:
-    return f"{match[1]}{_STYLES[match[2]][0]}{FIXED}{match[2]}"
+    before, word = match[1] if match[2] else match[3], match[2] or match[4]
+    return f"{before}{_STYLES[word][0]}{FIXED}{word}"
 
 
 def _coloured(match: re.Match[str]) -> str:

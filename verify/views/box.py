@@ -35,7 +35,7 @@ def screen(answer: Answer, paper: Publication) -> Iterator[str]:
     where = "all points" if answer.verdict == PROVED else "all points of the certified part"
     yield f"The hypotheses are compared at a corner; by monotony they hold at {where}."
     yield "The constants are the unrounded minima of Theorem 1 for all parameters."
-    yield f"{believed(answer.outcome, paper)} The sentences: -v."
+    yield f"{believed(answer.outcome, paper)} Their text: -v."
     yield ""
     yield THEOREM
     yield ""

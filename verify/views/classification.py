@@ -35,12 +35,12 @@ THEOREMS = (
         "radii the two others do not touch at the limit."
     ),
     (
-        "II. Three balls of equal mass, one r in ]0,1]. In every collapse the limiting -cos θ is "
-        "at least 4√r/(1+r). So for r > 7-4√3 = 0.0717… they never collapse, and by IV almost "
-        "every datum has finitely many collisions. A run in which one ball meets two others in "
-        "turn, with no other collision of the three meanwhile, has at most n collisions, n ≥ 1 the "
-        "least number with s_n ≤ 0, where s_0 = 0, s_1 = 1, s_{n+1} = (1+r)/2 s_n - r s_{n-1}; on "
-        "a line this is attained. For r ≤ 7-4√3 there is no such n, and runs have any length."
+        "II. Three balls of equal mass, one r with 0 < r ≤ 1. In every collapse the limiting "
+        "-cos θ is at least 4√r/(1+r). So for r > 7-4√3 = 0.0717… they never collapse, and by IV "
+        "almost every datum has finitely many collisions. A run in which one ball meets two others "
+        "in turn, with no other collision of the three meanwhile, has at most n collisions, n ≥ 1 "
+        "the least number with s_n ≤ 0, where s_0 = 0, s_1 = 1, s_{n+1} = (1+r)/2 s_n - r s_{n-1}; "
+        "on a line this is attained. For r ≤ 7-4√3 there is no such n, and runs have any length."
     ),
     (
         "II b. Equal masses and one r, as in II. In a collapse in which the velocities of the two "
@@ -59,11 +59,11 @@ THEOREMS = (
         "then in the same frame A ≤ 0 always, velocities tend to 0, positions converge, and the "
         "angular momentum L is 0; what I and II say of a collapse holds as the time tends to "
         "infinity. So with L ≠ 0 there is exactly one of: finitely many collisions; or a collapse "
-        "in finite time, as in I and, for equal masses, II. For equal masses and one r in "
-        "]7-4√3, 1] it is the first, whatever L."
+        "in finite time, as in I and, for equal masses, II. For equal masses and one r with "
+        "7-4√3 < r ≤ 1 it is the first, whatever L."
     ),
     (
-        "IV b. With angular momentum. For equal masses and one r in ]9-4√5, 1], L ≠ 0 leaves "
+        "IV b. With angular momentum. For equal masses and one r with 9-4√5 < r ≤ 1, L ≠ 0 leaves "
         "finitely many collisions: at a collapse velocities would tend to 0 in that frame, by "
         "II b, and L with them."
     ),
@@ -80,7 +80,7 @@ def meaning_lines(remarks: Iterable[tuple[str, str]], paper: Publication) -> Ite
 def theorem_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """The theorems in words, if they are proved, and the verdict."""
     if outcome.verdict == PROVED:
-        yield f"Given what is taken on trust. {SETTING}"
+        yield f"Given the assumptions. {SETTING}"
         yield from THEOREMS
         yield ""
     yield f"Verdict: {summary(outcome, paper)}"

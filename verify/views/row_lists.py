@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from verify.language.simplify import simplified, simplified_claim
 from verify.language.statement import (
@@ -27,10 +27,17 @@ from verify.views.words import letters
 MORE = "All rows: -v; some: --rows NAME; one with its proof: verify explain NAME."
 
 
-def screen(title: str, outcome: Outcome, paper: Publication) -> Iterator[str]:
-    """What fits on a screen; the verdict comes after it."""
-    yield title
+def screen(
+    title: str, outcome: Outcome, paper: Publication, answer: Iterable[str] = ()
+) -> Iterator[str]:
+    """What fits on a screen: the verdict in a word, the answer to what was asked, then the rows.
+
+    The whole verdict comes after it.
+    """
+    yield f"{title}: {words.headline(outcome)}"
     yield ""
+    asked = [*answer]
+    yield from [*asked, ""] if asked else ()
     yield from brief(outcome, paper)
     if outcome.spent:
         yield f"Work budget spent: {outcome.spent}"
@@ -89,7 +96,7 @@ def _one_line(row: Obligation, paper: Publication) -> str:
 def trusted_names(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """Which sentences a verdict rests on, and which of them Coq has proved."""
     if outcome.assumptions:
-        yield f"{words.believed(outcome, paper)} The sentences: -v."
+        yield f"{words.believed(outcome, paper)} Their text: -v."
     if outcome.printed_assumptions:
         names = ", ".join(assumption.name for assumption in outcome.printed_assumptions)
         yield f"Only for printed rows: {names}."

@@ -168,7 +168,8 @@ def summary(outcome: Outcome, paper: Publication, title: str = "") -> str:
     """
     parts = [counts(outcome, role) for role in (NEEDED, PRINTED)]
     rows = "; ".join(part for part in parts if part)
-    title = title or outcome.statement.title
+    own = outcome.statement.title
+    title = title or (in_letters(own) if is_about(outcome, paper) else own)
     return f"{headline(outcome)}: {title}: {rows}; given {given_by(outcome, paper)}"
 
 

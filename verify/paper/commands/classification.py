@@ -29,7 +29,7 @@ def at_restitution(r: Fraction) -> AtR:
 
 
 def at_masses(masses: tuple[Fraction, ...], r: Fraction) -> AtMasses:
-    """What the classification of balls says of three masses and one r in ]0,1], exactly.
+    """What the classification of balls says of three masses and one r in (0, 1], exactly.
 
     b² is (1+r)²M, so that b < 2√r just if r > (1-√(1-M))/(1+√(1-M)) = M/(1+√(1-M))².
     """

@@ -211,7 +211,7 @@ def _restitutions(where: str, table: dict[str, Any]) -> tuple[Fraction, Fraction
         r = number_in(f"{where}: {place}", value)
         if not 0 < r < 1:
             raise InputError(
-                f"{where}: {place}: {shown(str(r))} is not in ]0,1[; write for example 3/100"
+                f"{where}: {place}: {shown(str(r))} is not in (0, 1); write for example 3/100"
             )
         found.append(r)
     return found[0], found[1], found[2]

@@ -168,6 +168,39 @@ def test_a_folder_is_whole_whenever_its_writers_are_killed(
     assert found
 
 
+#: Certifies; each time that a file is moved somebody asks it to end.
+ASKED = """
+import os, sys
+from verify.__main__ import run
+sign = int(sys.argv.pop(1))
+def asked(name, real):
+    def move(*places):
+        os.kill(os.getpid(), sign)
+        return real(*places)
+    setattr(os, name, move)
+for name in ("mkdir", "rename", "replace"):
+    asked(name, getattr(os, name))
+run()
+"""
+
+
+@pytest.mark.parametrize("sign", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+@pytest.mark.parametrize("option", [["--out", "new"], ["--out", "old"], ["--csv", "new"]])
+def test_what_is_being_written_is_finished(
+    option: list[str], sign: signal.Signals, tmp_path: Path
+) -> None:
+    scene = str(ROOT / "certificates/scenes/on-a-line.toml")
+    command = [sys.executable, "-c", ASKED, str(int(sign)), "scene", scene, *option]
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    files.write_folder("--out", str(tmp_path / "old"), {"report.md": b"old"})
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, check=False)
+    assert done.returncode == {signal.SIGINT: 130, signal.SIGTERM: 143}.get(sign, -sign)
+    assert b"Traceback" not in done.stderr
+    left = {"old", "new"} if (tmp_path / "new").exists() else {"old"}
+    assert {path.name for path in tmp_path.iterdir()} == left
+    assert any((tmp_path / "old").iterdir())
+
+
 def test_files_of_somebody_else_are_kept(tmp_path: Path) -> None:
     for name in ("notes.txt", "cited/mine.json", "certificate.json/x"):
         folder = tmp_path / name.replace("/", "-")

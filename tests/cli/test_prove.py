@@ -107,6 +107,37 @@ def test_time_only_leaves_rows_undecided(tmp_path: Path) -> None:
     assert main(["prove", path, "--time", "60"]) == 0
 
 
+def test_the_time_to_read_a_file_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    now = [0.0]
+    monkeypatch.setattr("verify.prover.budget.monotonic", lambda: now[0])
+    read = job.read_page_of
+
+    def slowly(*words: Any) -> Any:
+        now[0] += 5
+        return read(*words)
+
+    monkeypatch.setattr("verify.cli.prove.read_page_of", slowly)
+    path = written(tmp_path, example("instance"))
+    assert main(["prove", path, "--time", "4"]) == 3
+    assert main(["prove", path, "--time", "60"]) == 0
+
+
+@pytest.mark.parametrize("name", [b"\xff", "a\n\x1b[2J\u202e".encode()])
+def test_a_file_whose_name_cannot_be_printed(
+    name: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    texts = {
+        ".smt2": "(declare-fun x () Real)(assert (< (* x x) 0))(check-sat)",
+        ".fpcore": "(FPCore (x) :pre (<= 0 x 1) (* x x))",
+    }
+    for end, text in texts.items():
+        path = tmp_path / os.fsdecode(name + end.encode())
+        path.write_text(text)
+        assert main(["prove", str(path), "--out", str(tmp_path / "out" / end)]) == 0
+        last = json.loads((tmp_path / "out" / end / "statement.json").read_bytes())
+        assert last["title"].isprintable()
+
+
 def test_a_row_takes_its_share_of_the_time_only(monkeypatch: pytest.MonkeyPatch) -> None:
     now = [0.0]
     monkeypatch.setattr("verify.prover.budget.monotonic", lambda: now[0])

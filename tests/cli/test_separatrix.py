@@ -15,6 +15,7 @@ from xml.etree import ElementTree
 import pytest
 
 from verify.cli import main
+from verify.paper.commands import separatrix
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -152,9 +153,10 @@ def test_curves_for_several_r(capsys: pytest.CaptureFixture[str], tmp_path: Path
 
 
 def test_what_is_too_long_for_the_checker_is_not_written(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    words = f"separatrix --r 0.03 --at 1/10 --digits 400 --out {tmp_path / 'x'}"
+    monkeypatch.setattr(separatrix, "MAX_ROWS", 9)
+    words = f"separatrix --r 0.03 --at 1/10 --out {tmp_path / 'x'}"
     assert main(words.split()) == 2
     assert list(tmp_path.iterdir()) == []
 

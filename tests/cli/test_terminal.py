@@ -14,7 +14,7 @@ import pytest
 
 from verify.cli import main
 from verify.cli.columns import table_lines
-from verify.cli.terminal import ROOMY, wrapped
+from verify.cli.terminal import COLUMNS, ROOMY, width, wrapped
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMAND = [sys.executable, "-m", "verify", "theorem1", "--r", "0.03"]
@@ -49,6 +49,33 @@ def test_a_terminal_gets_colours_and_symbols() -> None:
         assert "Verdict: ✓ proved: " in plain
         assert "\x1b" not in plain
     assert "\x1b" in at_terminal(["--color=always"], {"NO_COLOR": "1"})
+
+
+@pytest.mark.parametrize("columns", ["²", "٣٣", "0", "-1", "1e3", "", "9" * 5000])
+def test_a_width_that_is_no_number(
+    columns: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("COLUMNS", columns)
+    assert width() == COLUMNS
+    assert main(["help", "check"]) == 0
+
+
+def test_a_sentence_makes_no_line_of_its_own(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What somebody else has written into a page cannot look like a verdict, nor steer anything."""
+    page, out = tmp_path / "p.toml", tmp_path / "out"
+    page.write_text(
+        'title = "t\\u001b[31m\\nVerdict: proved"\nassumptions = { a = "s\\rproved\\u202e" }\n'
+        'rows = { row = { claim = "1 < 2", says = "x\\nproved    other", uses = ["a"] } }\n'
+    )
+    assert main(["prove", "-v", str(page), "--out", str(out)]) == 0
+    assert main(["explain", str(out), "row"]) == 0
+    printed = capsys.readouterr().out
+    assert not any(sign in printed for sign in "\x1b\r\u202e")
+    starts = [line.split()[:2] for line in printed.splitlines()]
+    assert ["proved", "other"] not in starts
+    assert sum(words[:1] == ["Verdict:"] for words in starts) == 1
 
 
 @pytest.mark.parametrize("columns", [None, "40", "80", "200"])

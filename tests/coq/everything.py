@@ -247,6 +247,7 @@ def everything(folders: list[Path]) -> str:
         "  := PinnedPrintedSign.printed_sign_proved.",
         "Definition not_as_printed : ~ PinnedPrintedSign.as_printed",
         "  := PinnedPrintedSign.false_as_printed.",
+        "Definition false_for_all := PinnedPrintedSign.false_for_all.",
         f"Definition matrix : {conjunction('PinnedSpectrum.', MATRIX)}",
         "  := PinnedSpectrum.matrix_proved.",
         f"Definition spectrum : {conjunction('PinnedSpectrum.', VALUES)}",
@@ -269,7 +270,7 @@ def everything(folders: list[Path]) -> str:
     names = "".join(f", true_{name}" for name in own)
     main = f"soundness, files, theorem_1, point, angle, {', '.join(map(compiled, scenes))}"
     main += ", Pinned.collapsing_scene, printed_set, separatrix, discharged, classification"
-    main += ", line, three_balls, printed_sign, not_as_printed, matrix, spectrum"
+    main += ", line, three_balls, printed_sign, not_as_printed, false_for_all, matrix, spectrum"
     lines.append(f"Definition everything := ({main}{names}).")
     return "\n".join([*lines, "Print Assumptions everything.", ""])
 

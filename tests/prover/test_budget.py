@@ -101,9 +101,9 @@ def test_an_alarm_rings_only_inside() -> None:
         time.sleep(0.01)
 
 
-@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+@pytest.mark.filterwarnings("error::pytest.PytestUnraisableExceptionWarning")
 def test_an_alarm_that_was_lost_rings_again() -> None:
-    """An error in a callback of the garbage collector ends nothing: Python only reports it."""
+    """An error in a callback of the garbage collector ends nothing, and nothing is said of it."""
     begin = time.monotonic()
 
     def callback(_phase: str, _info: dict[str, int]) -> None:

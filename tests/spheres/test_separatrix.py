@@ -17,7 +17,7 @@ from mpmath import mp, mpf
 
 from verify.prover import balls
 from verify.spheres import limit_cycle, limit_map, separatrix
-from verify.spheres.limit_map import Allowance, Curve, Orbits, Parameters, Trap
+from verify.spheres.limit_map import Allowance, Curve, Orbits, Parameters
 
 ROOT = Path(__file__).resolve().parents[2]
 F = Fraction
@@ -167,31 +167,80 @@ def test_it_is_zero_from_phi_plus_on() -> None:
     assert 0 < just_below.low < just_below.high < F(1, 10**6)
 
 
-# --- the trap -------------------------------------------------------------------------------------
-
-
-def test_a_trap_is_one() -> None:
-    """Also where the ratio is far from 1; its first state lies below the curve."""
-    for parameters, _ in samples(20, 28):
-        trap = limit_map.find_trap(parameters)
-        assert limit_map.is_trap(parameters, trap)
-        assert curve(parameters).strip(trap.q, 6).low > trap.u * F(9, 10)
+# --- two steps in order ---------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
-    "trap",
+    ("before", "after", "found"),
     [
-        Trap(F(6, 100), F(1, 1000)),  # below phi_minus: q grows
-        Trap(F(45, 100), F(1, 1000)),  # above phi_plus
-        Trap(F(1, 4), F(1, 1000)),  # q falls, but q > (a-q)²: u grows
-        Trap(F(1, 10), F(1, 10)),  # above the curve
-        Trap(F(1, 10), F(0)),
-        Trap(F(1, 10), F(2)),
+        ((2, 2), (1, 1), -1),
+        ((2, 2), (2, 1), -1),
+        ((2, 2), (2, 2), -1),
+        ((2, 2), (1, 3), 0),
+        ((2, 2), (3, 1), 0),
+        ((2, 2), (3, 2), 1),
+        ((0, 2), (0, 3), 1),
+        ((1, 0), (2, 0), 0),
+        ((-1, 1), (2, 2), 0),
     ],
 )
-def test_what_is_no_trap(trap: Trap) -> None:
-    assert limit_map.is_trap(AT_3_100, Trap(F(1, 10), F(1, 1000)))
-    assert not limit_map.is_trap(AT_3_100, trap)
+def test_the_direction(before: tuple[int, int], after: tuple[int, int], found: int) -> None:
+    one, other = ((F(q, 7), F(u, 7)) for q, u in (before, after))
+    assert limit_map.direction(one, other) == found
+
+
+def near_threshold(seed: str, distance: Fraction) -> tuple[Parameters, Fraction]:
+    """Parameters of which a exceeds s + s² by a factor that is 1 plus about this distance."""
+    rng = random.Random(seed)
+    s = F(rng.randint(100, 380), 1000)
+    ratio = F(rng.choice((1, 2, 10, 1000)), rng.choice((1, 3, 100)))
+    neg_cos = 2 * (s + s**2) / (1 + s**3) * (1 + distance)
+    return Parameters(s**3, neg_cos, ratio), F(rng.randint(0, 99), 100) * s
+
+
+@pytest.mark.parametrize("power", [2, 5, 10, 30, 100])
+def test_next_to_the_threshold_few_collisions_decide(power: int) -> None:
+    """Their number grows as the number of digits of the distance does."""
+    for seed in range(5):
+        budget = Allowance(10000 + 1000 * power)
+        parameters, q = near_threshold(f"{power} {seed}", F(1, 10**power))
+        strip = Curve(parameters, budget).strip(q, 14)
+        assert strip.reached
+        assert 0 < strip.high - strip.low <= strip.low / 10**14
+        assert not limit_map.has_separatrix(near_threshold(f"{power} {seed}", F(0))[0])
+
+
+def part(parameters: Parameters, q: Fraction, u: mpf) -> int:
+    """-1 once two collisions make q and u smaller; 1 once both grow, or no collision follows."""
+    r, a = (mpf(x.numerator) / x.denominator for x in (parameters.r, parameters.a))
+    rho = mpf(parameters.ratio.numerator) / parameters.ratio.denominator
+    states = [(mpf(q.numerator) / q.denominator, u)]
+    while True:
+        x, u = states[-1]
+        p = a * (1 - u) - x - rho * u
+        if p <= 0 or rho * u * (2 * x + rho * u) >= p**2:
+            return 1
+        states.append((r * (1 - u) / p, 1 - mp.sqrt(1 - rho * u * (2 * x + rho * u) / p**2)))
+        rho = 1 / rho
+        signs = {int(mp.sign(y - z)) for y, z in zip(states[-1], states[-3:][0], strict=True)}
+        if len(states) > 2 and len(signs) == 1 and 0 not in signs:
+            return signs.pop()
+
+
+def test_hard_points_agree_with_plain_digits() -> None:
+    hard = [(Parameters(F("0.05572799"), F(1), F("1.872")), F("0.129221"))]
+    hard += [near_threshold(str(seed), F(1, 10**9)) for seed in range(5)]
+    with mp.workdps(90):
+        for parameters, q in hard:
+            strip = curve(parameters, 10**5).strip(q, 18)
+            low, high = (mpf(end.numerator) / end.denominator for end in (strip.low, strip.high))
+            assert part(parameters, q, low * (1 - mpf(10) ** -25)) == -1
+            assert part(parameters, q, high * (1 + mpf(10) ** -25)) == 1
+
+
+def test_next_to_the_threshold_there_is_a_cycle() -> None:
+    parameters, _ = near_threshold("cycle", F(1, 10**9))
+    assert len(limit_cycle.cycle(curve(parameters, 10**5), 14)) == 4
 
 
 # --- the cycle ------------------------------------------------------------------------------------
@@ -285,7 +334,7 @@ def test_rounding_to_the_wrong_side_is_noticed(
     source = dedent(inspect.getsource(Orbits._followed))
     state = "(q.{0}(), u.{0}())"
     assert source.count(state.format(right)) == 1
-    names: dict[str, Any] = {"Point": limit_map.Point}
+    names: dict[str, Any] = {**vars(limit_map)}
     exec(source.replace(state.format(right), state.format(wrong)), names)
     is_up = right == "upper"
     followed = names["_followed"]

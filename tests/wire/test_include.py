@@ -141,3 +141,17 @@ def test_the_other_page_has_to_be_there(tmp_path: Path) -> None:
     path = written(tmp_path, page=SHOWN + SHOWN_ROWS)
     with pytest.raises(InputError, match=r"stated\.toml"):
         read_page(str(path), path.read_bytes())
+
+
+@pytest.mark.parametrize(("count", "is_read"), [(90, True), (3000, False)])
+def test_a_long_chain_of_pages(count: int, is_read: bool, tmp_path: Path) -> None:
+    for i in range(count):
+        (tmp_path / f"{i}.toml").write_text(f'include = "{i + 1}.toml"')
+    (tmp_path / f"{count}.toml").write_text('rows = "x: 1 < 2"')
+    page = b'title = "t"\ninclude = "0.toml"'
+    path = str(tmp_path / "page.toml")
+    if is_read:
+        assert [row.name for row in read_page(path, page).statement.obligations] == ["x"]
+    else:
+        with pytest.raises(InputError):
+            read_page(path, page)

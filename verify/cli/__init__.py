@@ -164,7 +164,7 @@ def _help() -> str:
 
 _EXIT_CODES = {
     0: "everything asked for is proved",
-    1: "something asked for is refuted, or a certificate is refused",
+    1: "something asked for, or a hypothesis, is refuted; or a certificate is refused",
     USAGE_ERROR: "the input cannot be used",
     3: "undecided within the precision or work budget",
     4: "a malformed certificate, one that is not its statement's, or a foreign theorem",

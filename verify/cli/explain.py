@@ -138,15 +138,21 @@ def _anywhere(word: str, options: Options) -> list[str]:
     if answer and not options.verbose:
         return [*answer, f"Where it is written, with all rows: verify explain -v {word}"]
     found = written(word) if word else []
-    text = [line for place in found for line in _where(place, word)]
+    places = [line for place in found for line in _where(place, word)]
     if any(place.label == word for place in found):
-        return [*answer, *text]
-    text = [*answer, *text]
-    there = _statements_with(word, found)
+        return [*answer, *places]
+    text, there = answer, _statements_with(word, found)
+    if {MAIN, AS_PRINTED} <= {*there}:  # first what is printed, then what repairs it
+        there.remove(AS_PRINTED)
+        printed = outcome_of(AS_PRINTED)
+        claimed = explain(printed, word, PAPER, exact=options.verbose, has_proof=False)
+        proof = f"  its proof: verify explain {AS_PRINTED} {word}"
+        text += [_title(AS_PRINTED, printed), *claimed, proof, ""]
     for first in there[:1]:
         outcome = outcome_of(first)
         shown_there = explain(outcome, word, PAPER, exact=options.verbose)
         text += [_title(first, outcome), *shown_there, ""]
+    text += [*places, ""] if places else []
     others = [*there[1:], *_committed(word)]
     if others:
         text += [f"{word} stands in other statements too:" if there else f"{word} stands in:"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import signal
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
@@ -107,8 +108,15 @@ def write_folder(option: str, directory: str, contents: Mapping[str, bytes]) -> 
         writing.finish()
 
 
+#: What asks a process to end. It waits until what is being written is in its place.
+ENDING = {signal.SIGINT, signal.SIGTERM, signal.SIGHUP}
+
+
 class _Writing:
-    """Files on their way into a directory: what is not finished disappears."""
+    """Files on their way into a directory: what is not finished disappears.
+
+    Meanwhile nothing that asks this process to end reaches it.
+    """
 
     def __init__(self, option: str, directory: str) -> None:
         self._option, self._directory = option, directory
@@ -118,6 +126,7 @@ class _Writing:
     def __enter__(self) -> _Writing:
         if not self._directory:
             raise InputError(f"{self._option}: '' is no folder; write . for this one")
+        self._mask = signal.pthread_sigmask(signal.SIG_BLOCK, ENDING)
         return self
 
     def add(self, name: str, content: bytes) -> None:
@@ -157,12 +166,8 @@ class _Writing:
             os.replace(path, target)
 
     def __exit__(self, _kind: object, error: BaseException | None, _trace: object) -> None:
-        for path in self._temporary:
-            with suppress(OSError):
-                os.unlink(path)
-        for path in reversed(self._made):
-            with suppress(OSError):  # not empty: its files are in their places
-                os.rmdir(path)
+        self._clean()
+        signal.pthread_sigmask(signal.SIG_SETMASK, self._mask)
         if isinstance(error, InputError):
             raise error
         if isinstance(error, OSError | ValueError | RecursionError):
@@ -170,6 +175,14 @@ class _Writing:
                 f"{self._option}: {shown(self._directory)} cannot be written ({_reason(error)}); "
                 "name a folder that can"
             ) from error
+
+    def _clean(self) -> None:
+        for path in self._temporary:
+            with suppress(OSError):
+                os.unlink(path)
+        for path in reversed(self._made):
+            with suppress(OSError):  # not empty: its files are in their places
+                os.rmdir(path)
 
 
 class _Whole(_Writing):

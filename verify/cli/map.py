@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import sys
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from fractions import Fraction
 from io import BytesIO
 
@@ -222,10 +222,14 @@ def _grow(options: Options, progress: Progress, target: Target, jobs: int) -> No
         file.seek(0, os.SEEK_END)
         times: list[Sample] = []
         if options.out is not None:
+            is_new = not os.path.isdir(options.out)
             try:
                 os.makedirs(options.out, exist_ok=True)
                 file = stack.enter_context(open_log(os.path.join(options.out, LOG), progress))
             except OSError as error:
+                with suppress(OSError):  # somebody else has put something into it
+                    if is_new:
+                        os.rmdir(options.out)
                 raise _unwritable(options, error) from error
             times = _read_times(options.out, progress)
         resumed = progress.boxes

@@ -54,6 +54,7 @@ def run(options: Options) -> int:
     """Print a line for each row or the document, write the files, return the exit code."""
     options.STATEMENT = example(options.STATEMENT)
     work = WORK if options.work is None else integer("--work", options.work, 1, 999_999_999)
+    budget = WorkBudget(work, _seconds(options.time), catches=True)  # its time has begun
     content, cited = read_bytes("STATEMENT", options.STATEMENT), _cited(options.STATEMENT)
     test_folder("--out", options.out, "statement.json", "certificate.json", "report.md")
     page = read_page_of(options.STATEMENT, content, cited)
@@ -62,8 +63,7 @@ def run(options: Options) -> int:
         page = page.with_rows(statement.obligations)
     if options.rows is not None and options.out is not None:
         _keep_more(options.out, statement)
-    steps = Steps(len(statement.obligations))
-    budget = WorkBudget(work, _seconds(options.time), steps, catches=True)
+    budget.watch = Steps(len(statement.obligations))
     try:
         outcome = decide_page(page, budget)
     except TooDeepError as error:

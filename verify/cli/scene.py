@@ -11,11 +11,19 @@ from verify.cli.files import SCENES, example, print_document, read_bytes, test_f
 from verify.cli.options import CERTIFICATE, COLOR, JSON, Options, Usage
 from verify.cli.steps import MAX_JOBS
 from verify.cli.terminal import FIXED, show
+from verify.spheres.scene.afterwards import afterwards
 from verify.spheres.scene.decide import MAX_DIGITS, Budget, Fate, decide_scene
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.scene_files import read_scene
-from verify.spheres.scene.verdict import steps, told
-from verify.views.scene import collision_table, exit_code, given_line, judge_of, scene_document
+from verify.spheres.scene.verdict import shown_ends, steps, told
+from verify.views.scene import (
+    afterwards_lines,
+    collision_table,
+    exit_code,
+    given_line,
+    judge_of,
+    scene_document,
+)
 from verify.wire.inputs import InputError, integer, shown
 
 #: So many digits of the collapse time show how the end comes near.
@@ -23,13 +31,18 @@ PLOT_DIGITS = 12
 
 USAGE = Usage(
     {
+<<<<<<< HEAD
         "scene": f"a scene file, a folder of them, or an example: {', '.join(SCENES)}",
         "--digits N": "digits of the collapse time and of the final angle",
+=======
+        "scene": "a scene file, or a folder of them",
+        "--digits N": "digits of the time of a collapse, the final angle and the velocities",
+>>>>>>> main
         "--collisions N": "how many are followed (default 1000)",
         "--precision BITS": "bits to begin with (default 128)",
         "--max-precision BITS": "last bits (default 4096)",
         "--jobs N": "for a folder: processes at a time (default 1)",
-        "-v, --verbose": "a table of the collisions",
+        "-v, --verbose": "a table of the collisions, and what comes after a collapse",
         **JSON,
         **COLOR,
         "--at POINT": "of a family of scenes this one, or those with these: NAME=A,NAME=B",
@@ -87,9 +100,9 @@ def run(options: Options) -> int:
         write_file("--plot", options.plot, _drawing(plot, found, limits))
     _write_tables(options, found, judge, values)
     if options.json:
-        print_document(scene_document(told(found), judge))
+        print_document(scene_document(told(found), afterwards(found, limits), judge))
     else:
-        show(_text(found, judge, options), options)
+        show(_text(found, judge, limits, options), options)
     return exit_code(told(found))
 
 
@@ -166,11 +179,13 @@ def _write_tables(
         write_file("--trajectory", options.trajectory, table.csv_text(instants))
 
 
-def _text(found: Fate, judge: str, options: Options) -> list[str]:
+def _text(found: Fate, judge: str, limits: Budget, options: Options) -> list[str]:
     known = told(found)
     lines = [*known.lines, *filter(None, [known.degrees, given_line(known, judge)])]
     if not options.verbose or not found.flow.collisions:
         return lines
     unit = known.scene.labels.time_unit
-    table = collision_table(steps(found), known.bits, unit)
-    return [*(row.replace(" ", FIXED) for row in table), "", *lines]  # a row stays a line
+    table = [*collision_table(steps(found), known.bits, unit), ""]
+    after = afterwards(found, limits)
+    more = [] if after is None else [*afterwards_lines(after, shown_ends), ""]
+    return [*(row.replace(" ", FIXED) for row in table), *more, *lines]  # a row stays a line

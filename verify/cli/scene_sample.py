@@ -68,7 +68,7 @@ def family_of(options: Options, *, whole: bool = False) -> Family:
     if whole and missing:
         raise InputError(f"--at: {missing[0]} is missing; write {missing[0]}=A too")
     for name, value in values.items():
-        _test_inside("--at", family, name, value)
+        family.test_inside("--at", name, value)
     sides = {name: side for name, side in family.sides.items() if name not in values}
     return family._replace(sides=sides, fixed=dict(sorted(values.items())))
 
@@ -81,16 +81,6 @@ def _parameters(option: str, family: Family) -> str:
             'like r = "0.02..0.06", or others below [parameters]'
         )
     return ", ".join(family.sides)
-
-
-def _test_inside(option: str, family: Family, name: str, value: Fraction) -> None:
-    low, high = family.sides[name]
-    if not low <= value <= high:
-        ends = f"{exact_number(low)}..{exact_number(high)}"
-        raise InputError(
-            f"{option}: {name}={exact_number(value)} is not in {ends}, its interval in "
-            f"{family.where}; write a number in it"
-        )
 
 
 def point_in(option: str, text: str, each: str = "each parameter") -> dict[str, Fraction]:
@@ -239,7 +229,7 @@ def _axes(text: str, family: Family) -> dict[str, list[Fraction]]:
             raise InputError(f"--grid: {shown(word)}: write {some}, once for some of {known}")
         low, high = interval("--grid", ends, partial(rational, "--grid"))
         for end in (low, high):
-            _test_inside("--grid", family, name, end)
+            family.test_inside("--grid", name, end)
         count = integer("--grid", steps, 2, MAX_SAMPLE)
         axes[name] = [low + (high - low) * Fraction(i, count - 1) for i in range(count)]
     if prod(map(len, axes.values())) > MAX_SAMPLE:

@@ -18,6 +18,11 @@ NARROWEST = 24
 #: From this width on a relation stays on one line with what it relates.
 ROOMY = 60
 
+#: What moves the cursor, ends a line or turns the direction of letters instead of being printed.
+_CONTROL = re.compile(
+    r"[\x00-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
+)
+
 #: Symbol and colour (of the 16 that every terminal has): a yes, a no, and what is left open.
 _YES, _NO, _OPEN = ("✓", "32"), ("✗", "31"), ("?", "33")
 #: Each verdict with its style: of a row, of a file that is checked, of a scene.
@@ -40,9 +45,14 @@ def show(lines: Iterable[str], options: Options, *, records: bool = False) -> No
     """Print lines for people; ``records`` stay on a line each in a pipe, as other programs want.
 
     In a pipe they have neither colours nor symbols; at a terminal both, but no colours where
-    ``NO_COLOR`` is set.
+    ``NO_COLOR`` is set. What a title or a sentence has of line feeds and other signs that are not
+    printed cannot make a line of its own, or steer the terminal.
     """
+<<<<<<< HEAD
     erase()
+=======
+    lines = map(_as_one_line, lines)
+>>>>>>> main
     when = options.color or "auto"
     terminal = sys.stdout.isatty()
     symbols = terminal or when == "always"
@@ -54,6 +64,10 @@ def show(lines: Iterable[str], options: Options, *, records: bool = False) -> No
         lines = (re.sub(_SYMBOL, _coloured, line) for line in lines)
     sys.stdout.write("".join(f"{line}\n" for line in lines))
     sys.stdout.flush()
+
+
+def _as_one_line(line: str) -> str:
+    return _CONTROL.sub(lambda sign: ascii(sign[0])[1:-1], line.replace("\n", " "))
 
 
 def is_watched() -> bool:
@@ -85,7 +99,7 @@ def erase() -> None:
 def width() -> int:
     """The width of the terminal: ``COLUMNS`` if that is set, what the terminal says, or 80."""
     text = os.environ.get("COLUMNS", "")
-    if text.isdigit() and len(text) < 6 and int(text) > 0:
+    if re.fullmatch("[0-9]{1,5}", text) and int(text) > 0:
         return max(int(text), NARROWEST)
     try:
         columns = os.get_terminal_size(sys.stdout.fileno()).columns

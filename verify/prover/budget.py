@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import signal
+import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -111,8 +112,8 @@ class WorkBudget:
 
         An alarm of the operating system rings where there is a limit of time, in the main thread.
         It rings again until it is heard: an error is lost where Python itself calls a function (a
-        finalizer, a callback of the garbage collector). It is silent on the way into the block and
-        out of it, where nobody could take it back.
+        finalizer, a callback of the garbage collector), and nothing is printed about that. It is
+        silent on the way into the block and out of it, where nobody could take it back.
         """
         can_ring = self._row_end is not None and hasattr(signal, "setitimer")
         if not can_ring or threading.current_thread() is not threading.main_thread():
@@ -123,7 +124,8 @@ class WorkBudget:
             if frame is None or frame.f_code.co_filename not in _ON_THE_WAY:
                 raise SpentError(TOO_LATE)
 
-        before = signal.signal(signal.SIGALRM, ring)
+        before, told = signal.signal(signal.SIGALRM, ring), sys.unraisablehook
+        sys.unraisablehook = lambda lost: lost.exc_type is SpentError or told(lost)
         try:
             left = (self._row_end or 0) - monotonic()
             signal.setitimer(signal.ITIMER_REAL, max(1e-3, left), RINGS_AGAIN)
@@ -131,6 +133,7 @@ class WorkBudget:
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
             signal.signal(signal.SIGALRM, before)
+            sys.unraisablehook = told
 
     def set_aside(self, seconds: float) -> None:
         """So much of the time is needed at the end, to check what was found."""

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from verify.prover import balls
 from verify.prover.balls import Ball
-from verify.spheres.limit_map import DOUBLINGS, GUARD_BITS, Curve, CurveAt, Orbits, Point
+from verify.spheres.limit_map import DOUBLINGS, GUARD_BITS, Curve, CurveAt, Orbits, Point, direction
 
-#: The first precision for the cycle, the collisions followed to come near it, and Newton's steps.
-NEAR_DIGITS, NEAR_STEPS, NEWTON_STEPS = 12, 400, 30
+#: The digits of the first state on the curve, and how many steps of Newton's method follow.
+NEAR_DIGITS, NEWTON_STEPS = 12, 30
 #: Who decides where the cycle is.
 NEWTON = "interval Newton in balls"
 
@@ -25,7 +25,10 @@ def cycle(curve: Curve, digits: int) -> tuple[Ball, ...]:
     collisions happen everywhere in it. Coq proves that there is no other, and that it is on the
     curve.
     """
-    start = curve.strip(curve.trap.q, NEAR_DIGITS)
+    with balls.precision(4 * NEAR_DIGITS):
+        s = balls.cube_root(balls.from_fraction(curve.parameters.r))
+        q = balls.short_rational(s * s, NEAR_DIGITS)
+    start = curve.strip(q, NEAR_DIGITS)
     if not start.reached:
         return ()
     bits = digits * 3322 // 1000 + GUARD_BITS
@@ -47,21 +50,19 @@ def _with_next(orbits: Orbits, state: Point | None) -> tuple[Ball, ...]:
 
 
 def _near(orbits: Orbits, start: CurveAt) -> Point:
-    """Of the states after an even number of collisions the one that moves least, without proof.
+    """The first state after an even number of collisions that two more move in order, unproved.
 
-    In proportion: towards the sink at (phi_minus, 0) u falls by the same factor every time.
+    On the curve they never do so, and all orbits tend to the cycle: this one has left the curve by
+    no more than what is left of the way.
     """
     state = balls.from_fraction(start.q).mid(), balls.from_fraction((start.low + start.high) / 2)
-    best, least = state, None
-    for _ in range(NEAR_STEPS):
+    while orbits.budget.left > 0:
+        orbits.budget.left -= 2
         after = _twice(orbits, state)
-        if after is None:
-            break
-        moved = abs(after[0][0] / state[0] - 1) + abs(after[0][1] / state[1] - 1)
-        if least is None or moved < least:
-            best, least = state, moved
+        if after is None or direction(state, _middle(after[0])):
+            return state
         state = _middle(after[0])
-    return best
+    return state
 
 
 def _polished(orbits: Orbits, state: Point) -> Point:

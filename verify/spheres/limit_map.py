@@ -9,14 +9,18 @@ This module relies on these parts of it:
   s + s^2 < a, where s^3 = r; otherwise no orbit goes on for ever.
 * There is one cycle of two collisions, and it lies on the curve.
 
-An orbit never ends once it is below a state of a *trap*: two boxes that the map exchanges, checked
-in rational numbers.
+An orbit never ends once two collisions, rounded up, lead to a state that is below the one before
+them: the map keeps the order, so the same two states bound all that follow. And it ends if two
+collisions, rounded down, lead to another state that is above the one before them: below a state
+whose collisions never end u tends to 0, while here it does not fall. Next to the curve, and at
+parameters next to the threshold, that is seen long before u is small, or the collisions end.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
+from typing import TypeVar
 
 from verify.language.record import Record
 from verify.prover import balls
@@ -29,10 +33,11 @@ RATIONALS = "exact rational arithmetic"
 SIGNS = "sign changes in exact rational arithmetic"
 
 Point = tuple[Ball, Ball]
+Real = TypeVar("Real", Ball, Fraction)
 Ends = tuple[Fraction, Fraction]
 
 #: Bits beyond those of the digits asked for, and how often they are doubled.
-GUARD_BITS, DOUBLINGS = 48, 3
+GUARD_BITS, DOUBLINGS = 48, 8
 #: Of two: f is not looked for below its inverse.
 LARGEST_POWER = 1 << 13
 
@@ -48,13 +53,6 @@ class Parameters(Record):
     def a(self) -> Fraction:
         """(1+r)/2 times -cos of the angle."""
         return (1 + self.r) * self.neg_cos / 2
-
-
-class Trap(Record):
-    """The states (q, u) and (q, rho u): the map takes each below the other one."""
-
-    q: Fraction
-    u: Fraction
 
 
 class CurveAt(Record):
@@ -121,54 +119,18 @@ def _near_roots(parameters: Parameters, bits: int) -> tuple[Ends, Ends]:
         return balls.ends(balls.from_fraction(r) / plus), balls.ends(plus)
 
 
-# --- the trap -------------------------------------------------------------------------------------
-
-
-def is_trap(parameters: Parameters, trap: Trap) -> bool:
-    """Whether the map takes (q, u) below (q, rho u), and with 1/rho that below (q, u).
-
-    With v for the other u, the next u is at most v if rho u (2q + rho u) <= v (2-v) p^2. Here v is
-    rho u, which cancels; the second step is the first with u and v exchanged.
-    """
-    r, a = parameters.r, parameters.a
-    q, one, other = trap.q, trap.u, parameters.ratio * trap.u
-
-    def exchanged(u: Fraction, v: Fraction) -> bool:
-        p = a * (1 - u) - q - v
-        return p > 0 and r * (1 - u) <= q * p and 2 * q + v <= (2 - v) * p * p
-
-    below = q >= 0 and 0 < one < 1 and 0 < other < 1
-    return below and exchanged(one, other) and exchanged(other, one)
-
-
-def find_trap(parameters: Parameters) -> Trap:
-    """A trap near q = s^2, where s^3 = r; there is one wherever there is a separatrix."""
-    digits, power = 4, 2
-    while True:
-        with balls.precision(4 * digits + 64):
-            s = balls.cube_root(balls.from_fraction(parameters.r))
-            q = balls.short_rational(s * s, digits)
-        small = min(Fraction(1), 1 / parameters.ratio) / 2**power
-        trap = Trap(q, small)
-        if is_trap(parameters, trap):
-            return trap
-        digits, power = digits + 2, power + 1 + power // 8
-
-
 # --- orbits ---------------------------------------------------------------------------------------
 
 
 class Orbits:
     """Orbits of the map at some precision, each rounded up, or each rounded down."""
 
-    def __init__(self, parameters: Parameters, trap: Trap, bits: int, budget: Allowance) -> None:
+    def __init__(self, parameters: Parameters, bits: int, budget: Allowance) -> None:
         self.bits, self.budget = bits, budget
         with balls.precision(bits):
             exact = balls.from_fraction
             self.r, self.a = exact(parameters.r), exact(parameters.a)
             self.ratios = exact(parameters.ratio), exact(1 / parameters.ratio)
-            highest = exact(trap.u).lower(), exact(parameters.ratio * trap.u).lower()
-            self.trap = exact(trap.q).lower(), highest
 
     def side(self, q: Fraction, u: Fraction) -> int:
         """-1 only if u <= f(q), 1 only if u >= f(q); 0 if neither is known."""
@@ -193,21 +155,32 @@ class Orbits:
         return (1 if after[0].is_finite() and after[1].is_finite() else 0), after
 
     def _followed(self, state: Point, *, up: bool) -> int:
-        """-1 if the orbit, rounded to one side, comes into the trap, 1 if it ends; else 0.
+        """-1 if the orbit, rounded to one side, never ends, 1 if it ends; 0 if neither is seen.
 
         An orbit that is rounded up is above the true one, and one that is rounded down below it.
+        One that moves the wrong way in two collisions goes on like this for ever, and shows
+        nothing.
         """
-        most, highest = self.trap
-        parity = 0
+        earlier, former, parity = None, None, 0
         while self.budget.left > 0:
-            if state[0] <= most and state[1] <= highest[parity]:
-                return -1
+            way = direction(earlier, state) if earlier is not None else 0
+            if way:
+                return way if up == (way < 0) else 0
             self.budget.left -= 1
             known, (q, u) = self.image(self.ratios[parity], state)
             if known <= 0:
                 return -known
-            state, parity = (q.upper(), u.upper()) if up else (q.lower(), u.lower()), 1 - parity
+            earlier, former, parity = former, state, 1 - parity
+            state = (q.upper(), u.upper()) if up else (q.lower(), u.lower())
         return 0
+
+
+def direction(before: tuple[Real, Real], after: tuple[Real, Real]) -> int:
+    """-1 if q and u fall or stay; 1 if they rise or stay, from 0 <= q and 0 < u; else 0."""
+    if after[0] <= before[0] and after[1] <= before[1]:
+        return -1
+    rises = before[0] <= after[0] and before[1] <= after[1]
+    return int(rises and before[0] >= 0 and before[1] > 0)
 
 
 # --- the curve ------------------------------------------------------------------------------------
@@ -218,7 +191,6 @@ class Curve:
 
     def __init__(self, parameters: Parameters, budget: Allowance) -> None:
         self.parameters, self.budget = parameters, budget
-        self.trap = find_trap(parameters)
         self._orbits: dict[int, Orbits] = {}
 
     def strip(self, q: Fraction, digits: int) -> CurveAt:
@@ -250,7 +222,7 @@ class Curve:
     def orbits(self, bits: int) -> Orbits:
         """Orbits at a precision."""
         if bits not in self._orbits:
-            self._orbits[bits] = Orbits(self.parameters, self.trap, bits, self.budget)
+            self._orbits[bits] = Orbits(self.parameters, bits, self.budget)
         return self._orbits[bits]
 
     def _highest(self) -> Fraction:

@@ -11,13 +11,15 @@ from verify.prover.outcome import Outcome
 from verify.publication import Publication
 from verify.views.document import claims_document, pair
 from verify.views.findings import AtMasses, AtR
+from verify.views.restitution import UNLESS
 from verify.views.words import summary
 
 FORMAT = "verify-classification/1"
 
 SETTING = (
     "Balls with any masses and radii in any dimension, and any restitution 0 ≤ ρ' ≤ -ρ at each "
-    "collision, unless said otherwise; no triple contact. Apparently new; no priority is claimed."
+    "collision, unless said otherwise; no triple contact: no ball that collides touches a third "
+    "one. Apparently new; no priority is claimed."
 )
 
 THEOREMS = (
@@ -88,25 +90,29 @@ def restitution_lines(found: AtR) -> Iterator[str]:
     """What the theorems say at one r, for three balls of equal mass."""
     kind = " (elastic collisions)" if found.r == 1 else ""
     yield f"At r = {exact_number(found.r)}{kind}, three balls of equal mass"
-    yield f"  the final -cos θ of a collapse is at least 4√r/(1+r) = {short(found.least_neg_cos)}"
+    if found.excluded:
+        yield f"  no collapse, by II: finitely many collisions{UNLESS}"
+    else:
+        yield (
+            "  a collapse is not excluded; in each the final -cos θ is at least 4√r/(1+r) = "
+            f"{short(found.least_neg_cos)}, by II"
+        )
+    if found.comes_to_rest and not found.excluded:
+        yield (
+            "  as r > 9-4√5, both velocities relative to the middle ball tend to 0 in it, and the "
+            "angular momentum about the centre of mass is 0, by II b and IV b: in dimension 2 or "
+            "more no set with interior consists of states that collapse"
+        )
     if found.undecided:
         yield "  a longest run exists, but the work budget does not suffice to count it"
     elif found.longest is None:
-        yield "  runs have any length: on a line one ball meets two others without end"
+        yield "  runs have any length: on a line one ball meets two others in turn without end"
     else:
         yield (
-            f"  one ball meets two others in turn at most {found.longest} times; on a line this is "
+            f"  one ball meets two others in turn at most {found.longest} times, as long as the "
+            "three have no other collision meanwhile, and no triple contact; on a line this is "
             "attained"
         )
-    if found.excluded:
-        yield "  no collapse: finitely many collisions, or a triple contact"
-    else:
-        yield "  a collapse is not excluded, with a final -cos θ not below that bound"
-        if found.comes_to_rest:
-            yield (
-                "  as r > 9-4√5, both velocities relative to the middle ball tend to 0 in it, as "
-                "on a line: the angular momentum about the centre of mass is 0"
-            )
 
 
 def masses_lines(found: AtMasses) -> Iterator[str]:
@@ -125,9 +131,12 @@ def masses_lines(found: AtMasses) -> Iterator[str]:
         else:
             yield f"  a collapse about ball {one.ball} is not excluded {most}"
     if all(one.excluded for one in found.middles):
-        yield "  no collapse: finitely many collisions, or a triple contact"
+        yield f"  no collapse: finitely many collisions{UNLESS}"
     elif all(one.comes_to_rest for one in found.middles):
-        yield "  with angular momentum finitely many collisions, or a triple contact"
+        yield (
+            "  unless the angular momentum about the centre of mass is 0, no collapse: finitely "
+            f"many collisions{UNLESS}"
+        )
     yield "  given certificates/classification-of-balls"
 
 

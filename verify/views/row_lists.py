@@ -113,6 +113,10 @@ def rows_called(outcome: Outcome, name: str, paper: Publication) -> list[str]:
     return [line for part in lines for line in part]
 
 
+#: What stands before the words of a row whose claim is false, though nothing is held against it.
+SAID = {REMARK: "false: ", OTHERWISE: "– "}
+
+
 def row_lines(
     outcome: Outcome,
     row: Obligation,
@@ -124,7 +128,8 @@ def row_lines(
     of_set = row.group in (PRINTED, REPAIRED)  # the heading says so
     role = " (as printed)" if row.role == PRINTED and not of_set else ""
     verdict = words.fair(outcome, row, decision)
-    yield f"  {verdict:<9} {row.says}{role}   [{row.name}, {paper.cited(row.label)}]"
+    says = f"{SAID.get(verdict, '')}{row.says}"
+    yield f"  {verdict:<9} {says}{role}   [{row.name}, {paper.cited(row.label)}]"
     uses = f"; with {', '.join(row.uses)}" if row.uses else ""
     by = f"by {decision.method or 'no rule that was found'}{uses}"
     claim, sides = typesetter.claim(row.claim), words.sides_of(row, decision)

@@ -240,6 +240,12 @@ def shown(text: str, most: int = 40) -> str:
     return repr(text if len(text) <= most else f"{text[: most // 2]}...{text[-most // 4 :]}")
 
 
+def file_name(path: str) -> str:
+    """The last part of a path, as a title has it: what cannot be printed is escaped."""
+    letters = os.path.basename(path)
+    return "".join(x if x.isprintable() else ascii(x)[1:-1] for x in letters)
+
+
 def near(name: str, known: Iterable[str]) -> str:
     """The known name that is like this one, apart from capitals, or nothing."""
     from difflib import get_close_matches  # loaded only where it is used

@@ -136,6 +136,14 @@ def number(row: str, key: str, value: str) -> Callable[[Json], None]:
     return change
 
 
+def swapped(row: str) -> Callable[[Json], None]:
+    def change(statement: Json) -> None:
+        (found,) = (r for r in statement["obligations"] if r["name"] == row)
+        found["claim"][1:] = reversed(found["claim"][1:])
+
+    return change
+
+
 @pytest.mark.parametrize(
     "change",
     [
@@ -152,8 +160,11 @@ def number(row: str, key: str, value: str) -> Callable[[Json], None]:
         number("below-1", "up.V", "1/100"),
         number("above-1", "down.X", "1/2"),
         number("above-1", "down.V", "1/2"),
-        number("below-trap", "trap.U", "1/2"),
-        number("below-trap", "trap.Q", "1/2"),
+        swapped("below-falls-q"),
+        swapped("below-falls-u"),
+        swapped("above-rises-q"),
+        swapped("above-rises-u"),
+        swapped("above-rises"),
     ],
 )
 def test_a_lie_is_refused(change: Callable[[Json], None]) -> None:

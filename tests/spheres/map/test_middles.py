@@ -329,3 +329,26 @@ def test_dask_writes_the_same_pictures(folder: Path, tmp_path: Path) -> None:
     ) as cluster:
         found = _files(tmp_path, folder, "--dask", cluster.scheduler_address)
     assert found == _bytes_below(folder)
+
+
+@pytest.mark.parametrize(
+    ("axis", "term", "share"),
+    [
+        ("r=-1..1", "-3, 1", Fraction(1, 2)),  # r is no coefficient of restitution
+        ("r=0..2", "-3, 1", Fraction(1, 2)),
+        ("r=2..3", "-3, 1", Fraction(1)),
+        ("h=-1..15", '-3, "1/h"', Fraction(1, 8)),  # a term divides by zero
+        ("h=-4..4", '"h", 0', Fraction(1, 4)),  # particles overlap
+    ],
+)
+def test_a_middle_may_be_no_scene(axis: str, term: str, share: Fraction, tmp_path: Path) -> None:
+    path, table = tmp_path / "f.toml", tmp_path / "map.csv"
+    path.write_text(
+        f'r = "3/100"\npositions = [[0, 0], [11, 0], [{term}]]\n'
+        'velocities = [[0, 0], [-1, 0], [1, "h"]]\nparameters = { h = "-8..16" }\n'
+    )
+    fixed = ["--at", "h=1"] if axis[0] == "r" else []
+    words = ["map", str(path), "--x", axis, *fixed, "--level", "3", "--boxes", "1", "--middles"]
+    assert main([*words, "--csv", str(table), "--out", str(tmp_path / "out")]) in (0, 3)
+    rows = rows_of(table)
+    assert [row["middle_reason"] for row in rows].count("no-scene") == share * len(rows)

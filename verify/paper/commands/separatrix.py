@@ -1,8 +1,8 @@
 """The jobs `separatrix`: the theorem for all parameters, and f at one q as a certificate.
 
-A point's certificate follows two orbits: that of (q, least), rounded up at each step until it lies
-in a trap, and that of (q, most), rounded down until it ends. Each step is a row, which says that
-what the theorem knows of such a step applies.
+A point's certificate follows two orbits: that of (q, least), rounded up at each step until it
+falls in two steps, and that of (q, most), rounded down until it ends or rises in two
+steps. Each step is a row, which says that what the theorem knows of such a step applies.
 """
 
 from __future__ import annotations
@@ -32,7 +32,13 @@ from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.rules import Applying, Interval
 from verify.prover.session import Session
-from verify.spheres.limit_map import CurveAt, Parameters, Trap, beyond, find_trap, has_separatrix
+from verify.spheres.limit_map import (
+    CurveAt,
+    Parameters,
+    beyond,
+    direction,
+    has_separatrix,
+)
 from verify.spheres.separatrix import Separatrix, staircase
 from verify.spheres.separatrix import decide_separatrix as enclose
 from verify.wire.judge import judged
@@ -54,6 +60,7 @@ STORED_DIGITS, STORED_STEPS = 12, 10**6
 #: An orbit with more rows is too much for the checker.
 MAX_ROWS = 1500
 
+State = tuple[Fraction, Fraction]
 Step = tuple[Fraction, Fraction, Fraction, Fraction, Fraction]
 
 
@@ -138,36 +145,26 @@ class TooLongError(ValueError):
     """The orbits have more steps than a certificate holds, or no digits sufficed."""
 
 
-def _upward(point: PointParameters, digits: int) -> tuple[list[Step], Trap] | None:
-    """The steps from (q, least) into a trap; None if these digits do not suffice."""
-    trap = find_trap(point.of)
-    highest = trap.u, point.of.ratio * trap.u
-    state = point.q, point.least
+def _followed(point: PointParameters, digits: int, *, up: bool) -> list[Step] | None:
+    """The steps from (q, least) until two of them fall, or from (q, most), rounded down.
+
+    Those go on until two of them rise, or no collision follows. None if these digits do not
+    suffice.
+    """
     found: list[Step] = []
-    for step in Orbit(point.of, digits, up=True).steps(*state):
-        if state[0] <= trap.q and state[1] <= highest[len(found) % 2]:
-            return found, trap
+    start = point.least if up else point.most
+    for step in Orbit(point.of, digits, up).steps(point.q, start):
         found.append(step)
-        state = step[3:]
+        if way := _direction(found):
+            return found if up == (way < 0) else None
         if len(found) > MAX_ROWS:
             raise TooLongError
-    return None
+    return None if up else found
 
 
-def _downward(point: PointParameters, digits: int) -> list[Step] | None:
-    """The steps from (q, most) to a state after which there is no collision; None as before."""
-    state = point.q, point.most
-    found: list[Step] = []
-    trap = find_trap(point.of)
-    lowest = trap.u * min(Fraction(1), point.of.ratio)
-    for step in Orbit(point.of, digits, up=False).steps(*state):
-        if state[0] <= trap.q and state[1] <= lowest:
-            return None
-        found.append(step)
-        state = step[3:]
-        if len(found) > MAX_ROWS:
-            raise TooLongError
-    return found
+def _direction(steps: list[Step]) -> int:
+    """-1 if the last two steps fall, 1 if they rise, 0 if neither."""
+    return direction(steps[-2][1:3], steps[-1][3:]) if len(steps) > 1 else 0
 
 
 # --- the statement --------------------------------------------------------------------------------
@@ -176,10 +173,15 @@ POINT_GLUE = Assumption(GLUE, LABEL,
     "The limit map is that of the theorem that is cited, with a = (1+r)/2 c and σ = 1/ρ; c is -cos "
     "θ. The second state of each row is the first one of the next row. By the rows of its context "
     "below, the orbit of (q, least) lies below the states in "
-    "below-1, below-2, …, one after the other, and then in the boxes of below-trap: by "
-    "trapped-always its collisions never end, so least ≤ f(q). Let u ≥ most: as long as the "
+    "below-1, below-2, …, one after the other. By below-falls the last one is below the one before "
+    "the last two collisions: by the same rows, again and again, the orbit stays below "
+    "these, its collisions never end, and least ≤ f(q). Let u ≥ most: as long as the "
     "collisions of (q, u) go on, its orbit lies above the states in above-1, above-2, …, by the "
-    "rows of above, and after the last one there is no collision, by above-end. So f(q) ≤ most. "
+    "rows of above, and after the last one there is no collision, by above-end. With above-rises "
+    "in its place the last state is above the one before the last two collisions, z, and is not "
+    "z. If the collisions of (q, u) never ended, z and its image after two collisions would be in "
+    "K, and z in the regime, by glue-regime; but by above-x-above and above-v-above u would be at "
+    "least that of z after every two collisions. So f(q) ≤ most. "
     "With beyond or flat in their place, f(q) = 0 by glue-none.", "numbered glue")  # fmt: skip
 
 
@@ -284,27 +286,24 @@ def _rows(point: PointParameters) -> tuple[list[Obligation], int]:
 def _orbit_rows(point: PointParameters) -> tuple[list[Obligation], int]:
     digits = MORE_DIGITS + max(len(str(x.numerator)) for x in (point.least, point.most))
     for _ in range(DOUBLINGS):
-        low, high = _upward(point, digits), _downward(point, digits)
+        low, high = (_followed(point, digits, up=up) for up in (True, False))
         if low is not None and high is not None:
-            rows = [*_below(point, *low), *_above(point, high)]
-            longest = max(len(str(x)) for x in (*point.values.values(), low[1].u, low[1].q))
+            rows = [*_below(low), *_above(point, high)]
+            longest = max(len(str(x)) for x in point.values.values())
             return rows, longest + digits
         digits *= 2
     raise TooLongError
 
 
-def _below(point: PointParameters, steps: list[Step], box: Trap) -> Iterator[Obligation]:
+def _below(steps: list[Step]) -> Iterator[Obligation]:
     state: tuple[Number, ...] = symbol("q"), symbol("least")
     for number, step in enumerate(steps, 1):
         says = f"the state after {number} collisions of (q, least) lies below the second one"
         at = dict(zip("QUXV", (*state, *step[3:]), strict=True))
         yield _applied(f"below-{number}", says, "up", number - 1, at)
         state = step[3:]
-    widths = box.u, point.of.ratio * box.u
-    U, W = widths if len(steps) % 2 == 0 else widths[::-1]
-    at = {"Q": box.q, "U": U, "W": W, "q": state[0], "u": state[1]}
-    says = "then it lies in two boxes that the map exchanges"
-    yield _applied("below-trap", says, "trap", len(steps), at)
+    says = "and not above the one two collisions before"
+    yield from _compared("below-falls", says, steps[-1][3:], steps[-2][1:3])
 
 
 def _above(point: PointParameters, steps: list[Step]) -> Iterator[Obligation]:
@@ -314,11 +313,22 @@ def _above(point: PointParameters, steps: list[Step]) -> Iterator[Obligation]:
         at = dict(zip("QUXV", (*state, *step[3:]), strict=True))
         yield _applied(f"above-{number}", says, "down", number - 1, at)
         state = step[3:]
+    if _direction(steps) > 0:
+        says = "and not below the one two collisions before"
+        yield from _compared("above-rises", says, steps[-2][1:3], steps[-1][3:])
+        says = "and it is another state"
+        yield _row("above-rises", says, as_term(sum(steps[-2][1:3])) < sum(steps[-1][3:]))
+        return
     rho = point.of.ratio if len(steps) % 2 == 0 else 1 / point.of.ratio
     q, u = steps[-1][3:] if steps else (point.q, point.most)
     ends = "parted" if point.of.a * (1 - u) - q - rho * u <= 0 else "missed"
     says = "and after that there is no collision"
     yield _applied("above-end", says, ends, len(steps), dict(zip("QU", state, strict=True)))
+
+
+def _compared(name: str, says: str, low: State, high: State) -> Iterator[Obligation]:
+    for letter, less, more in zip("qu", low, high, strict=True):
+        yield _row(f"{name}-{letter}", f"{letter}: {says}", as_term(less) <= more)
 
 
 def _applied(

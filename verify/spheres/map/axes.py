@@ -139,6 +139,8 @@ def _side(family: Family, axis: Axis) -> Side:
             f"or a place: {EXAMPLE}"
         )
     side = axis.side or family.sides.get(axis.name)
+    for end in axis.side or () if axis.name in family.sides else ():
+        family.test_inside(axis.option, axis.name, end)
     if side is None:
         raise InputError(f"{axis.option}: {axis.name} has no interval; write {axis.name}=A..B")
     return side
@@ -153,6 +155,8 @@ def _values(
     missing = sorted(family.sides.keys() - letters.keys() - fixed.keys())
     if missing:
         raise InputError(f"--at: {missing[0]} is neither an axis nor fixed; add {missing[0]}=A")
+    for name, value in fixed.items():
+        family.test_inside("--at", name, value)
     return {name: letters.get(name, fixed.get(name, Fraction(0))) for name in family.sides}
 
 

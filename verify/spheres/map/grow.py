@@ -10,7 +10,7 @@ from contextlib import ExitStack, suppress
 from errno import EACCES, EAGAIN
 from fractions import Fraction
 from functools import partial
-from os import SEEK_END
+from os import SEEK_END, unlink
 from typing import BinaryIO
 
 from verify import check_map
@@ -165,7 +165,12 @@ def open_log(path: str, progress: Progress) -> BinaryIO:
         size = progress.resume(iter(file))
         file.truncate(size)
         if size == 0:
-            write_line(file, progress.header)
+            try:
+                write_line(file, progress.header)
+            except OSError:
+                with suppress(OSError):  # there is no log that has nothing in it
+                    unlink(path)
+                raise
         stack.pop_all()  # it stays open
     return file
 

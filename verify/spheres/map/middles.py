@@ -9,8 +9,9 @@ from verify.language.record import Record
 from verify.spheres.map.log import Progress
 from verify.spheres.map.planes import Plane, Scenes, Side, value_of
 from verify.spheres.map.strip import BorderStrip
-from verify.spheres.scene.decide import Budget, decide_scene
+from verify.spheres.scene.decide import UNDECIDED, Budget, decide_scene
 from verify.spheres.scene.scene import Scene
+from verify.spheres.scene.scene_files import are_apart, is_in_range
 from verify.spheres.scene.verdict import central, time_ends
 
 #: Times of collapses have so many, so that no colour depends on how wide an enclosure is.
@@ -25,6 +26,10 @@ class Middle(Record):
     central: int | None
     collisions: int
     time: Side | None
+
+
+#: r is not in ]0,1[, particles overlap, or a term divides by zero.
+NO_SCENE = Middle(UNDECIDED, "no-scene", None, 0, None)
 
 
 class Box(Record):
@@ -69,6 +74,12 @@ def scene_in(plane: Scenes, box: Box) -> Scene:
 
 
 def middle(plane: Scenes, box: Box) -> Middle:
-    """What becomes of the scene in the middle of a box."""
-    fate = decide_scene(scene_in(plane, box), Budget(digits=DIGITS))
+    """What becomes of the scene in the middle of a box, if there is one."""
+    try:
+        scene = scene_in(plane, box)
+    except ZeroDivisionError:  # by a term of the file
+        return NO_SCENE
+    if not (is_in_range(scene) and are_apart(scene)):
+        return NO_SCENE
+    fate = decide_scene(scene, Budget(digits=DIGITS))
     return Middle(fate.verdict, fate.name, central(fate), fate.collisions, time_ends(fate))

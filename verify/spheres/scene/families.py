@@ -24,6 +24,7 @@ from typing import Any
 
 from verify.language.record import Record
 from verify.language.terms import Term
+from verify.prover.decimals import exact_number
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.scene_files import (
     DIAMETER,
@@ -80,6 +81,20 @@ class Family(Record):
     sides: Mapping[str, Side]
     table: Mapping[str, Any]
     fixed: Mapping[str, Fraction] = {}
+
+    def test_inside(self, option: str, name: str, value: Fraction) -> None:
+        """Afterwards the value is in the interval that the file has for the parameter.
+
+        Raises:
+            InputError: if it is not, naming the option.
+        """
+        low, high = self.sides[name]
+        if not low <= value <= high:
+            ends = f"{exact_number(low)}..{exact_number(high)}"
+            raise InputError(
+                f"{option}: {name}={exact_number(value)} is not in {ends}, its interval in "
+                f"{self.where}; write a number in it"
+            )
 
     def terms(self, values: Mapping[str, Fraction | Term]) -> FamilyTerms:
         """The scenes in which some parameters are numbers and others stay as they are.

@@ -115,6 +115,12 @@ def scene_from(where: str, table: dict[str, Any]) -> Scene:
     return scene
 
 
+def are_apart(scene: Scene) -> bool:
+    """Whether no two particles overlap."""
+    given = coordinates(scene, Fraction)
+    return all(given.pair(i, j)[0] >= 0 for i, j in PAIRS)
+
+
 def is_in_range(scene: Scene) -> bool:
     """Whether r and the dimension are such that a file of this scene can be read."""
     are_inelastic = all(0 < scene.restitution(i, j) < 1 for i, j in PAIRS)
@@ -298,7 +304,7 @@ def _same_dimension(where: str, vectors: Mapping[str, Sequence[Sequence[Fraction
     if others:
         is_clear = times > len(others)
         told = (f"{name} has {n}" for name, n in (others if is_clear else found).items())
-        advice = f"{usual} for each, like most have" if is_clear else "the same number for all"
+        advice = f"{usual} for each, as most have" if is_clear else "the same number for all"
         if all(n > usual for n in others.values()) and is_clear:
             advice += "; a decimal has a point, 0.5 for 0,5"
         raise InputError(f"{where}: numbers of coordinates: {', '.join(told)}; write {advice}")
@@ -320,9 +326,7 @@ def _apart(where: str, scene: Scene, unit: Fraction) -> None:
     for i, j in PAIRS:
         gap, _, _ = given.pair(i, j)
         if gap < 0:
-            reach = Fraction(1)
-            if scene.bodies is not None:
-                reach = scene.bodies.radii[i] + scene.bodies.radii[j]
+            reach = scene.contact(i, j)
             raise OverlapError(
                 f"{where}: the particles {i} and {j} overlap by about {_overlap(gap, reach)}: "
                 f"their distance has to be at least {exact_number(reach)}{diameters}"

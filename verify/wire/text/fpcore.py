@@ -10,11 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 from math import floor
-from os.path import basename
 
 from verify.language.statement import NEEDED, Context, Given, Obligation, Statement, Variable
 from verify.language.terms import Claim, Term, as_term, names_of, parts_of, symbol
-from verify.wire.inputs import MAX_EXPONENT, InputError, nearest, shown
+from verify.wire.inputs import MAX_EXPONENT, InputError, file_name, nearest, shown
 from verify.wire.text.conjunctions import Order, TooManyCasesError, cases, is_large, named
 from verify.wire.text.formulas import FPCORE, Reader, Scope, real
 from verify.wire.text.lisp import FPCORE as WORDS
@@ -53,7 +52,7 @@ def read_fpcore(path: str, content: bytes) -> Statement:
         rows = [row for part in parts for row in part.rows(MAX_PARTS // len(parts))]
     if not parts:
         raise InputError(f"{path}: has no expression; write (FPCore (x) :pre (<= 0 x 1) (* x x))")
-    name = basename(path)
+    name = file_name(path)
     return Statement(
         name,
         f"ranges of the expressions in {name}, in real numbers",

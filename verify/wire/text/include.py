@@ -23,6 +23,8 @@ ANEW = ("says", "label", "point")
 #: What an included page says of itself alone.
 ALONE = ("title", "theorem", "group", "include")
 MAX_BYTES = 1 << 20
+#: So many pages may include one another in a row.
+MAX_DEPTH = 100
 
 Read = Callable[[str, bytes], tuple[dict[str, Any], Places]]
 
@@ -59,6 +61,11 @@ class Included:
             inner = path_beside(path, name, places.where(["include"]))
             if inner in self._open:
                 raise places.error(["include"], f"{shown(name)} includes this page; leave one out")
+            if len(self._open) > MAX_DEPTH:
+                what = (
+                    f"{shown(name)} is included by way of {MAX_DEPTH} other pages; name it earlier"
+                )
+                raise places.error(["include"], what)
             if inner not in self._done:
                 whole = merged(whole, self._file(inner, name, places), places, [])
         self._open.pop()

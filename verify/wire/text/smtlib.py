@@ -12,12 +12,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 from itertools import chain
-from os.path import basename
 
 from verify.language.record import Record
 from verify.language.statement import Statement, Variable
 from verify.language.terms import Claim, as_term, names_of, substitute_claim, symbol
-from verify.wire.inputs import InputError, shown
+from verify.wire.inputs import InputError, file_name, shown
 from verify.wire.text import Page
 from verify.wire.text.conjunctions import (
     Asked,
@@ -80,7 +79,7 @@ def read_smtlib(path: str, content: bytes) -> Page:
         points, asked = Points(), file.rows()
         parts = {one.row: forms(one, claims, file.order, points) for one, claims in asked}
         first = [next(found) for found in parts.values()]
-    name = basename(path)
+    name = file_name(path)
     title = f"no real numbers satisfy the assertions of {name}"
     if len(file.questions) > 1:
         title = f"at no (check-sat) of {name} do real numbers satisfy the assertions"

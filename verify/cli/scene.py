@@ -31,13 +31,8 @@ PLOT_DIGITS = 12
 
 USAGE = Usage(
     {
-<<<<<<< HEAD
         "scene": f"a scene file, a folder of them, or an example: {', '.join(SCENES)}",
-        "--digits N": "digits of the collapse time and of the final angle",
-=======
-        "scene": "a scene file, or a folder of them",
         "--digits N": "digits of the time of a collapse, the final angle and the velocities",
->>>>>>> main
         "--collisions N": "how many are followed (default 1000)",
         "--precision BITS": "bits to begin with (default 128)",
         "--max-precision BITS": "last bits (default 4096)",

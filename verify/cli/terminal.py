@@ -48,11 +48,8 @@ def show(lines: Iterable[str], options: Options, *, records: bool = False) -> No
     ``NO_COLOR`` is set. What a title or a sentence has of line feeds and other signs that are not
     printed cannot make a line of its own, or steer the terminal.
     """
-<<<<<<< HEAD
     erase()
-=======
     lines = map(_as_one_line, lines)
->>>>>>> main
     when = options.color or "auto"
     terminal = sys.stdout.isatty()
     symbols = terminal or when == "always"

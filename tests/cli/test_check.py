@@ -172,7 +172,7 @@ def test_the_document(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> Non
 
 def test_latex_and_json_are_two_documents(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, err = run(capsys, EXAMPLES / "mean", "--latex", "--json")
-    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert (code, err.count("\n"), json.loads(out)["exit_code"]) == (2, 1, 2)
     assert err.startswith("verify: --latex: ")
 
 
@@ -225,7 +225,8 @@ def test_a_path_that_is_no_folder_of_a_certificate(
 ) -> None:
     (tmp_path / "file").write_text("mine")
     code, out, err = run(capsys, EXAMPLES / "mean", tmp_path / path, *option)
-    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert (code, err.count("\n")) == (2, 1)
+    assert (json.loads(out)["exit_code"] == 2) if option == ["--json"] else not out
     assert err.startswith("verify: path: ")
     assert says in err
     assert "Errno" not in err

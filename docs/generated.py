@@ -174,7 +174,7 @@ def remarks() -> str:
 def assumptions() -> str:
     """The sentences that the verdict at the point rests on."""
     return table(
-        ("Name", "Kind", "Sentence", "In Coq"),
+        ("Name", "Kind", "What it says", "In Coq"),
         (
             [f"`{a['name']}`", a["kind"], escaped(a["statement"]), _theorems(a["name"])]
             for a in point()["assumptions"]
@@ -278,7 +278,7 @@ def believed_and_proved() -> str:
             page = theorem.partition(".")[0]
             says = f"that `{page}.v` says what is meant (definitions)"
             rows.append([name, "Coq", "no certificate", f"none is needed: `{theorem}`", says])
-    head = ("What you run", "Judge", "Accepted by Coq", "Sentences proved in Coq", "Believed")
+    head = ("What you run", "Judge", "Accepted by Coq", "Assumptions proved in Coq", "Believed")
     return table(head, rows)
 
 
@@ -561,7 +561,7 @@ def house() -> str:
 
 ARROW = '<path d="{}" marker-end="url(#tip)"><title>{}</title></path>'
 BOX = '<rect x="{}" y="{}" width="124" height="34" rx="5"/><text x="{}" y="{}">{}</text>'
-PICTURE = """<svg class="house" role="img" aria-label="The rooms, and which imports which"
+PICTURE = """<svg class="house" role="img" aria-label="The packages, and which imports which"
  viewBox="0 0 720 {}" xmlns="http://www.w3.org/2000/svg">
 <style>
 .house path {{ fill: none; stroke: #7a8a99; stroke-width: 1.5 }}

@@ -215,6 +215,11 @@ so(
     "`hypotheses_as_printed r theta_0 delta_theta`",
     has("verify/coq/PinnedPrintedSign.v", "hypotheses_as_printed r theta_0 delta_theta"),
 )
+so(
+    P,
+    "`as_printed_at d r theta_0 delta_theta`",
+    has("verify/coq/PinnedPrintedSign.v", "as_printed_at d r theta_0 delta_theta"),
+)
 so(P, "Coq proves of Section 5,", number("THEORSS3.5SpectMatricVitLm"))
 so(P, "basis has ω₂⊥·ω₁ < 0 |", "ω₂⊥·ω₁" in row("spectrum", "matrix-stated"))
 said(P, "| `spectrum_theorem` | {}", number("THEORSS3.5SpectMatricVitLm"))

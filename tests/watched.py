@@ -85,8 +85,8 @@ said("", "φ₂ = d/η_c²", by=file("verify/views/map.py"))
 said(
     "README.md",
     "{} of its claims are refuted at {}, or at another point that is named. {} of the {} break the "
-    "argument, by {} mistakes; {} are false but harmless; {} are slips of wording. The {} "
-    "mistakes:",
+    "argument, by {} mistakes; {} are false but harmless; {} are slips of wording, one of them "
+    "the sign. The {} mistakes:",
     *(
         F["refuted"],
         AT,
@@ -99,8 +99,8 @@ said(
     F["breaking_causes"],
 )
 said("README.md", "more than δ₂²", by=row("theorem1-r-3-100", "zeta-term-2"))
-said("README.md", "*{} true, but the reason given does not suffice*", F["otherwise"])
-said("README.md", "*{} remarks*", F["remarks"])
+said("README.md", "*{} are true, but the reason given does not suffice*", F["otherwise"])
+said("README.md", "*{} are remarks*", F["remarks"])
 said(
     "README.md",
     "all {} + {} + {} = {} rows as refuted",
@@ -109,7 +109,7 @@ said(
 said(
     "README.md",
     "*Given {} assumptions*: a definition (what hard spheres do), {} textbook theorems, and {} "
-    "sentences of *glue*",
+    "of *glue*",
     *(
         len(KINDS),
         NUMBERS[KINDS.count("general mathematics")],
@@ -222,6 +222,7 @@ said(
         "3rα₀+r(1+r)<α₀³", V, "3 * r * ((1 + r) / 2 * c) + r * (1 + r) < ((1 + r) / 2 * c) ^ 3"
     ),
 )
+said(P, "0 < c ≤ 1", by=coded("0 < c ≤ 1", V, "0 < c <= 1"))
 said(P, "d_slope · η_c²", by=coded("d_slopeη_c²", V, "d_slope * y ^ 2"))
 said(P, "the distance 1 + d₀", by=coded("1+d₀", V, "1 + d_0"))
 said(P, r"\|Δθ\|/4 instead", by=coded("|Δθ|/4", V, "Delta_theta / 4"))
@@ -247,7 +248,8 @@ said(
     ),
 )
 said(P, "as printed, π/2 < θ₀ ≤ π", by=coded("π/2<θ₀≤π", V, "PI / 2 < theta_0 <= PI"))
-said(P, "each d ≥ 2 there is a set", by=coded("d≥2", V, "(2 <= d)%nat"))
+said(P, "each d ≥ 2 |", by=coded("d≥2", V, "(2 <= d)%nat -> hypotheses_as_printed"))
+said(P, "in each dimension d ≥ 2:", by=coded("d≥2", V, "(2 <= d)%nat -> 0 < r < 1"))
 said(P, "θ₀ = 2π/3,", by=coded("θ₀=2π/3,", "verify/coq/PrintedSignProof.v", "(2 * (PI / 3))"))
 said(P, "δ_θ = 1/10);", by=coded("δ_θ=1/10)", "verify/coq/PrintedSignProof.v", "(1 / 10)"))
 V = "verify/coq/PinnedLine.v"
@@ -614,6 +616,8 @@ for word in ("PROVED", "REFUSED", "MALFORMED"):
 # --- docs/reference -------------------------------------------------------------------------------
 
 said("docs/reference/exit-codes.md", "exits with {}:", EXIT_CODES[PROVED])
+said("docs/reference/exit-codes.md", "is refuted gives {}, too", EXIT_CODES[REFUTED])
+said("docs/reference/exit-codes.md", "tests for {} never", EXIT_CODES[PROVED])
 P = "docs/reference/text.md"
 said(P, "counted from {};", coded("1", "verify/wire/text/matrices.py", "counted from 1"))
 said(P, "of at most {} rows", MAX_DETERMINANT)
@@ -659,8 +663,8 @@ said(P, "W and √V are", by=coded("√V", "verify/paper/glossary.py", "V₀"))
 # --- docs/tutorials -------------------------------------------------------------------------------
 
 P = "docs/tutorials/referee.md"
-said(P, "*{} true, but the reason given does not suffice*", F["otherwise"])
-said(P, "*{} remarks*", F["remarks"])
+said(P, "*{} are true, but the reason given does not suffice*", F["otherwise"])
+said(P, "*{} are remarks*", F["remarks"])
 said(P, "*Given {} assumptions*", len(KINDS))
 said(
     P,
@@ -673,11 +677,11 @@ said(
 )
 said(
     P,
-    "The first verdict rests on {} sentences, of which Coq has proved {}; the",
+    "The first verdict rests on {} assumptions, of which Coq has proved {}; the",
     *SIGN,
 )
 said(P, "prints {}, since it has", printed_by_checker("printed-sign"))
-said(P, "rests on {} sentences, of which Coq has proved {};", *SET)
+said(P, "rests on {} assumptions, of which Coq has proved {};", *SET)
 said(P, "every δ_θ ≤ {}.", angle()[0])
 said(
     P,

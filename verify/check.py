@@ -2118,7 +2118,8 @@ class Reader:
         claim, words = self.claim(item["name"], item["claim"], context, prefix)
         good = isinstance(claim, Claim) or item["verdict"] == "proved"
         need(good, Malformed, "{}: found {} of such a claim", item["name"], item["verdict"])
-        where = "" if context is self.kernel.outermost else f" for all of {context.name}"
+        inside = f" throughout the context {context.name}"
+        where = "" if context is self.kernel.outermost else inside
         words = f"{words}{where}" if item["verdict"] == "proved" else f"not ({words}{where})"
         label = f" [{item['label']}]" if item["label"] else ""
         words = f"{item['name']}{label} {words}"
@@ -2602,10 +2603,28 @@ def read_folders(arguments: Sequence[str]) -> list[Folder]:
     else:  # nobody waits for a pipe that lies in a folder
         for path in (path for _, *files in pairs for path in files if os.path.exists(path)):
             need(os.path.isfile(path), OSError, "found {}, which is no file", path)
+        for path, *files in pairs:
+            found_both = all(map(os.path.exists, files))
+            need(found_both, OSError, NO_FOLDER, *no_folder(path, names))
     for path, first, second in pairs:
         others = read_cited(os.path.join(os.path.dirname(first), "cited"))
         found.append(Folder(path, read_file(first), read_file(second), *others))
     return found
+
+
+#: What is said of a path without a certificate: which, why, what it needs, and what is near it.
+NO_FOLDER = "{} {}; name one with {}; in {} there is {}"
+
+
+def no_folder(path: str, names: Sequence[str]) -> tuple[str, ...]:
+    """The parts of what is said of a path that is no folder of a certificate."""
+    is_folder = os.path.isdir(path)
+    what = "has no statement with its certificate" if is_folder else "is no folder"
+    near = path if is_folder else os.path.dirname(path)
+    inside = sorted(os.listdir(near or os.curdir)) if os.path.isdir(near or os.curdir) else []
+    known = [f for f in inside if all(os.path.isfile(os.path.join(near, f, n)) for n in names)]
+    there = ", ".join(known[:4]) + (", ..." if len(known) > 4 else "") or "none"
+    return repr(path), what, " and ".join(names), near or "this folder", there
 
 
 def check_folders(folders: Sequence[Folder]) -> tuple[int, list[str]]:

@@ -21,7 +21,7 @@ that the log has for it. What it takes on trust, besides itself and Python:
 
 A scene in which two spheres just graze has the verdict that it gets whether this counts as a
 collision or not. Scenes with a triple contact or an overlap at the start are excluded.
-That only finitely many collisions are possible is said unless all three touch at once later.
+That only finitely many collisions are possible is said unless three touch at once or two graze.
 
 The exit code is 0 if all is proved, 1 if a verdict is not, 4 if a log is malformed, 2 if a file
 cannot be read, 5 if this program fails, for example where there is too little memory. Work is
@@ -407,10 +407,10 @@ def law_around(r: Number, kind: Arithmetic = MODELS) -> Law:
     """The same for an r that is one of the numbers of a box.
 
     Raises:
-        RefusedError: if it may not be in ]0,1[.
+        RefusedError: if it may not be in (0, 1).
     """
     if r[0] <= 0 or r[1] >= ONE:
-        raise RefusedError("r may not be in ]0,1[")
+        raise RefusedError("r may not be in (0, 1)")
     half = kind.mul(kind.add(kind.one, r), number(kind, Fraction(1, 2)))
     return Law(kind, r, half, kind.sub(kind.one, kind.square(r)), r[:2])
 
@@ -1689,7 +1689,8 @@ def given(plane: Plane, areas: Areas) -> str:
     theorems = f"{', '.join(names[:-1])} and {names[-1]}"
     limits = "scenes with an overlap or a triple contact at the start are excluded"
     if areas.finite:
-        limits += "; there are finitely many collisions unless three spheres touch at once later"
+        possible = "only finitely many collisions are possible"
+        limits += f"; {possible}, unless three touch at once or two graze"
     return f"given the theorems of {theorems}; {limits}"
 
 

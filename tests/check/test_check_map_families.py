@@ -99,7 +99,7 @@ def test_finitely_many_collisions_are_said_unless_there_is_a_triple_contact() ->
     }  # fmt: skip
     found, areas = checked(log_of(plane, 1, ("0 1", "ff", [])))
     assert areas.finite == 1
-    unless = "finitely many collisions unless three spheres touch at once later"
+    unless = "only finitely many collisions are possible, unless three touch at once or two graze"
     assert unless in check_map.given(found, areas)
     assert unless not in check_map.given(found, areas._replace(finite=F(0)))
 

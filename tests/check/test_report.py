@@ -48,7 +48,7 @@ def test_the_report_of_what_is_proved() -> None:
     assert answer(proved()) == (0, [
         "proved  one [L] lhs <= rhs",
         "proved  two [L] lhs < rhs",
-        "proved  three [L] not (lhs < rhs for all of box)",
+        "proved  three [L] not (lhs < rhs throughout the context box)",
         "assumed law: sentence of law",
         "assumed map: sentence of map",
         f"PROVED: T's title: {COUNTS}; given law, map",
@@ -170,10 +170,11 @@ def test_a_refused_pair_under_optimisation() -> None:
 
 @pytest.mark.parametrize(
     ("arguments", "word"),
-    [((), "found no folder; write: check.py FOLDER"), (("/nowhere",), "/nowhere/statement.json"),
-     (("/",), "/statement.json"), (("\0",), "null"), (("/nowhere", "/nowhere"), "/nowhere"),
+    [((), "found no folder; write: check.py FOLDER"), (("/nowhere",), "'/nowhere' is no folder"),
+     (("/",), "'/' has no statement"), (("\0",), "is no folder"),
+     (("/nowhere", "/nowhere"), "/nowhere"),
      (("",), "found an empty name of a folder"),
-     (("/etc/passwd",), "/etc/passwd/statement.json")],
+     (("/etc/passwd",), "'/etc/passwd' is no folder")],
 )  # fmt: skip
 def test_what_cannot_be_read(arguments: tuple[str, ...], word: str, capsys: Any) -> None:
     assert check.main(arguments) == 2
@@ -182,6 +183,19 @@ def test_what_cannot_be_read(arguments: tuple[str, ...], word: str, capsys: Any)
     assert captured.err.startswith("check: ")
     assert word in captured.err
     assert captured.err.count("\n") == 1
+
+
+def test_which_folders_there_are(folder: str, tmp_path: Path, capsys: Any) -> None:
+    """A name that is mistyped is told with the certificates beside it."""
+    near = str(Path(folder).parent)
+    for path in (f"{folder}x", near):
+        assert check.main([path]) == 2
+        err = capsys.readouterr().err
+        assert err.count("\n") == 1
+        assert f"in {near} there is " in err
+        assert Path(folder).name in err
+    assert check.main([str(tmp_path / "x")]) == 2
+    assert f"in {tmp_path} there is none" in capsys.readouterr().err
 
 
 def test_a_folder_for_a_file(tmp_path: Path, capsys: Any) -> None:

@@ -95,7 +95,7 @@ def test_a_needed_row_that_is_refuted_refutes() -> None:
     pair = box(("0", "1"))
     pair.row("row", "x < 1", witness({"x": "1"}, IN, INTERVAL), "box", "refuted")
     code, lines = answer(pair)
-    assert (code, lines[0]) == (1, "proved  row [L] not (lhs < rhs for all of box)")
+    assert (code, lines[0]) == (1, "proved  row [L] not (lhs < rhs throughout the context box)")
     assert lines[-1].startswith(
         "REFUTED: T's title: 0 needed proved, 0 printed proved, 1 needed re"
     )

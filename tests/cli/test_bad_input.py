@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 import random
+import re
 import signal
 import subprocess
 import sys
@@ -34,6 +35,10 @@ FILES = {
     "words.toml": b'r = "1/2"\npositions = [["1", "nan"], ["2", "x"], ["3", "4"]]\nvelocities = []',
     "huge.toml": b'r = "1/2"\npositions = [["0", "0"], ["1e999999", "0"], ["-2", "4"]]\n'
     b'velocities = [["0", "0"], ["0", "0"], ["0", "0"]]',
+    "family.toml": b'r = "0.01..0.05"\npositions = [[0, 0], [1.002, 0], [-1.006, "h"]]\n'
+    b'velocities = [[0, 0], [-1.4, 0], [0.7, -0.1]]\n[parameters]\nh = "0..0.1"\n',
+    "unit.toml": b'r = 0.01\npositions = [[0, 0], [1.002, 0], [-1.006, "h"]]\n'
+    b'velocities = [[0, 0], [-1.4, 0], [0.7, -0.1]]\n[parameters]\nh = "0..5 cm"\n',
     "outside.toml": b'r = "2"\npositions = [["0", "0"], ["2", "0"], ["-2", "0"]]\n'
     b'velocities = [["0", "0"], ["0", "0"], ["0", "0"]]',
 }
@@ -58,7 +63,7 @@ def refused(capsys: pytest.CaptureFixture[str], words: list[str]) -> str:
     """The complaint about these words, which is one line of moderate length."""
     code = main(words)
     out, err = capsys.readouterr()
-    assert (code, out) == (2, ""), words
+    assert (code, "" if "--json" in words else out) == (2, ""), words
     assert err.count("\n") == 1, words
     assert err.startswith("verify: "), words
     assert len(err) < 600, words
@@ -90,19 +95,19 @@ def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["classification", "--rows", "cone-image"], "is it cone-image"),
         (["separatrix"], "--r: is missing; write for example --r 0.03"),
         (["separatrix", "--r", "0.03..0.02"], "--r: "),
-        (["separatrix", "--r", "1"], "is not in ]0,1["),
-        (["separatrix", "--r", "0.03", "--neg-cos", "0"], "is not in ]0,1]; write"),
+        (["separatrix", "--r", "1"], "is not in (0, 1)"),
+        (["separatrix", "--r", "0.03", "--neg-cos", "0"], "is not in (0, 1]; write"),
         (["separatrix", "--r", "0.03", "--ratio", "0"], "is not positive; write"),
         (["separatrix", "--r", "0.03", "--at", "-1/10"], "is negative; write for example 1/10"),
         (["separatrix", "--r", "0.03", "--digits", "0"], "write a whole number from 1 to 1000"),
         (["separatrix", "--r", "0.03", "--budget", "x"], "write a whole number from 1"),
-        (["scene", "outside.toml"], "outside.toml: r: '2' is not in ]0,1[; write"),
+        (["scene", "outside.toml"], "outside.toml: r: '2' is not in (0, 1); write"),
         (["scene", "nan.toml"], "nan.toml: r: "),
         (["scene", "words.toml"], "words.toml: "),
         (["scene", "huge.toml"], "huge.toml: positions of particle 1: "),
         (["scene", "empty"], "empty: 'positions' is missing; write r, positions, velocities"),
         (["scene", "digits.json"], "a number or a name has more than 4300 signs; make it shorter"),
-        (["scene", "bytes"], "is not valid TOML (it is not UTF-8); write r, positions, velocities"),
+        (["scene", "bytes"], "is not valid TOML (it is not UTF-8); save it as UTF-8"),
         (["scene", "folder"], "no file that ends in .toml"),
         (["scene", PARTING, "--plot", "x\n.png"], "ends in neither .svg nor .html"),
         (["scene", PARTING, "--plot", "folder.svg"], "--plot: "),
@@ -138,6 +143,45 @@ def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["theorem1", "--r", "0.03", "--V0", "1.000.000,5"], "write 1000000.5"),
         (["theorem1", "--r", "0.03", "--V0", "0,030"], "write 0.030"),
         ([], "no command; write one of"),
+        (["theorem1", "--r", "0.03r"], "write 0.03\n"),
+        (["theorem1", "--r", "3%"], "write 0.03\n"),
+        (["theorem1", "--r", "1/3%"], "write 1/300\n"),
+        (["theorem1", "--r", "r=0.03"], "write 0.03\n"),
+        (["theorem1", "--r", "0.01-0.03"], "write 0.01..0.03 where an interval may stand"),
+        (["theorem1", "--r", "[0.01, 0.03]"], "write it like 0.03"),
+        (["theorem1", "--r", "[0.01,0.03]"], "write 0.01..0.03 where"),
+        (["theorem1", "--r", "0.01...0.03"], "is no interval; write 0.01..0.03\n"),
+        (["theorem1", "--r", "0.01..0.03", "--steps", "1e3"], "write 1000 (a whole number"),
+        (["theorem1", "--r", "0.01..0.03", "--steps", "1,000"], "write 1000 (a whole number"),
+        (["theorem1", "--r", "0.01..0.03", "--steps", "10^3"], "write 1000 (a whole number"),
+        (["theorem1", "--r", "0.01..0.03", "--steps", "2.5"], "write a whole number from 2"),
+        (["prove", "fista", "--work", "1e6"], "write 1000000 (a whole number"),
+        (["prove", "fista", "--time", "5s"], "write 5, the number of seconds"),
+        (["prove", "fista", "--time", "2 min"], "write 120, the number of seconds"),
+        (["prove", "fista", "--time", "1:30"], "write 90, the number of seconds"),
+        (["scene", PARTING, "--jobs", "1x"], "write 1 (a whole number"),
+        (["map", "phi", "--r", "0.03", "--undecided", "1,5%"], "write 1.5%"),
+        (["map", "phi", "--r", "0.03", "--undecided", "5"], "write 5%"),
+        (["scene", "family.toml", "--at", "r=0,02"], "write r=0.02\n"),
+        (["scene", "family.toml", "--at", "r=0,02,h=0,01"], "write r=0.02,h=0.01\n"),
+        (["scene", "family.toml", "--at", "{r: 0.02; h: 0.01}"], "write r=0.02,h=0.01\n"),
+        (["scene", "family.toml", "--at", "R=0.02,h=0"], "did you mean r?"),
+        (["scene", "family.toml", "--grid", "r=0,01..0,05:3"], "write r=0.01..0.05:3\n"),
+        (["scene", "family.toml", "--grid", "r=0.01..0.05"], "write r=0.01..0.05:5 for 5 values"),
+        (["map", "family.toml", "--x", "r=0.01-0.05"], "write 0.01..0.05\n"),
+        (["map", "unit.toml", "--x", "h"], "h: '0..5 cm' has a unit; write \"0..5\"\n"),
+        (["scene", "passing", "--trajectory", "f.xlsx"], "ends in .xlsx; write f.csv"),
+        (["theorem1", "--r", "0.03", "--csv", "f.ods"], "ends in .ods; write f.csv"),
+        (["export", "step"], "write verify export coq step or verify export text step;"),
+        (["export", "coq"], "write verify export coq FOLDER;"),
+        (
+            ["explain", "fista", "grows"],
+            "verify prove fista --out DIR, and then verify explain DIR",
+        ),
+        (["explain", "4.99"], "have rows: (4.59), (4.61), (4.62)\n"),
+        (["explain", "9.1"], "no row is about (9.1); write one of the nearest"),
+        (["check", "theorem1-al"], "or theorem1-all, which comes with the program"),
+        (["check", "xyz"], "or one of step, "),
     ],
 )
 def test_one_line_says_what_to_write(
@@ -189,3 +233,45 @@ def test_ctrl_c_ends_several_processes(tmp_path: Path) -> None:
     os.killpg(process.pid, signal.SIGINT)
     _, err = process.communicate(timeout=30)
     assert (process.returncode, err) in ((0, b""), (130, b"verify: interrupted\n"))
+
+
+@pytest.mark.parametrize(
+    ("words", "code"),
+    [
+        ("theorem1 --r 0.03r", 0),
+        ("theorem1 --r 0.01..0.03 --steps 1e1", 0),
+        ("theorem1 --r 0.03 --V0 1,000", 0),
+        ("prove fista --time 60s", 0),
+        ("prove fista --work 1e6", 0),
+        ("scene family.toml --at r=0,02,h=0,05", 0),
+        ("scene family.toml --grid r=0,02..0,03:2 --at h=0.05", 0),
+        ("scene passing --trajectory f.xlsx", 0),
+        ("export step", 0),
+        ("explain 4.99", 0),
+        ("explain (4.58)", 0),
+        ("scene pasing", 0),
+    ],
+)
+def test_a_remedy_works_when_it_is_followed(
+    words: str, code: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    given = words.split()
+    for _ in range(2):
+        err = refused(capsys, given)
+        before = r"(?:write (?!one of)(?:verify )?|did you mean |have rows: )"
+        found = re.search(before + r"([^ ,;?(\n]*(?:\([^)]*\))?)", err)
+        assert found, err
+        if "write verify" in err:
+            given = err.split("write verify ")[1].split(" or ")[0].split()
+        else:
+            quoted = re.search(r"'([^']*)'", err)
+            wrong = quoted[1] if quoted and "no row is about" not in err else given[-1]
+            meant = found[1] if ",h=" not in err else err.split("write ")[1].strip()
+            given = [
+                meant if word == wrong else word.replace(f"={wrong}", f"={meant}") for word in given
+            ]
+        if main(given) == code:
+            capsys.readouterr()
+            return
+        capsys.readouterr()
+    pytest.fail(f"{given}")

@@ -260,7 +260,7 @@ def test_a_scene_with_another_restitution_is_refused_with_a_reason(
     assert code == 4
     last = out.splitlines()[-1]
     assert last.startswith("STATEMENT: it is not the one that the program makes")
-    assert last.endswith(": its r = 2 is not in ]0,1[")
+    assert last.endswith(": its r = 2 is not in (0, 1)")
 
 
 def unwritten_one() -> Term:

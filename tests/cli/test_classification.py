@@ -26,6 +26,7 @@ COUNTS = {
     "0.1": "7",
     "0.2": "4",
     "999/1000": "4",
+    "1": "3",
 }
 
 
@@ -54,6 +55,10 @@ def test_masses(capsys: pytest.CaptureFixture[str]) -> None:
     assert {(one["collapse"], one["comes_to_rest"]) for one in equal["middles"]} == {
         ("not excluded", True)
     }
+    for masses in ("1,1,1", "1/1000,7,7", "5,1,1e-9", "1e12,1e-12,1"):
+        elastic = document(capsys, "--r", "1", "--masses", masses)
+        assert elastic["collapse"] == "excluded"
+        assert [one["collapse"] for one in elastic["middles"]] == ["excluded"] * 3
     low, high = (Fraction(x) for x in equal["middles"][1]["largest_r"])
     assert (7 - low) ** 2 >= 48 >= (7 - high) ** 2
 
@@ -142,7 +147,7 @@ def test_the_files(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     assert main(["check", "--statement", str(tmp_path / "new")]) == 0
 
 
-@pytest.mark.parametrize("text", ["0", "1", "-0.1", "2", "x", "", "nan", "1/0", "0.02..0.04"])
+@pytest.mark.parametrize("text", ["0", "1.001", "-0.1", "2", "x", "", "nan", "1/0", "0.02..0.04"])
 def test_input_errors(capsys: pytest.CaptureFixture[str], text: str) -> None:
     code, out, err = run(capsys, f"--r={text}")
     assert (code, out) == (2, "")

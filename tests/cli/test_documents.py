@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import jsonschema
 import pytest
 
-from verify.cli import main
+from verify.cli import COMMANDS, main
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = str(ROOT / "certificates/examples/witness")
@@ -69,6 +70,23 @@ def test_the_schema_describes_the_document(
 ) -> None:
     found = document(capsys, words)
     assert [error.message for error in validator(name).iter_errors(found)] == []
+
+
+@pytest.mark.parametrize(
+    "command",
+    [name for name in COMMANDS if "--json" in import_module(f"verify.cli.{name}").USAGE.meanings],
+)
+def test_an_error_is_a_document_too(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Whatever is wrong: an option, its value, or what a place names."""
+    places = [w for w in import_module(f"verify.cli.{command}").USAGE.meanings if w[0] != "-"]
+    asked = [["--nonsense"], ["--out", ""], *([["no/such/file"]] if places else [["word"]])]
+    for words in asked:
+        code = main([command, *words, "--json"])
+        out, err = capsys.readouterr()
+        found = json.loads(out, parse_float=_no_float)
+        validator("error").validate(found)
+        assert (code, found["exit_code"], found["command"]) == (2, 2, command)
+        assert err == f"verify: {found['error']}\n"
 
 
 def test_the_schema_refuses_other_documents(capsys: pytest.CaptureFixture[str]) -> None:

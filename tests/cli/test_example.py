@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from verify.cli import main
-from verify.cli.files import EXAMPLES
+from verify.cli.files import EXAMPLES, PAGES, SCENES, command_for, example
 from verify.wire.packaged import PACKAGED_FILES
 
 NAMES = [path.stem for path in sorted(Path(EXAMPLES).glob("*.toml"))]
@@ -23,6 +23,30 @@ def test_each_is_listed_with_its_command(capsys: pytest.CaptureFixture[str]) -> 
     lines = capsys.readouterr().out.splitlines()
     assert [line.split()[2] for line in lines if not line.startswith(" ")] == NAMES
     assert {line.split()[1] for line in lines if not line.startswith(" ")} == {"scene", "prove"}
+
+
+def test_the_help_names_them(capsys: pytest.CaptureFixture[str]) -> None:
+    for command, named in (("example", NAMES), ("scene", SCENES), ("prove", PAGES)):
+        assert main([command, "--help"]) == 0
+        out = capsys.readouterr().out
+        assert all(name in out for name in named)
+    assert sorted((*SCENES, *PAGES)) == NAMES
+    assert {command_for(example(name)) for name in SCENES} == {"scene"}
+    assert {command_for(example(name)) for name in PAGES} == {"prove"}
+
+
+@pytest.mark.parametrize(
+    ("words", "meant"),
+    [("scene pasing", "passing"), ("scene inspace", "in-space"), ("prove fist", "fista"),
+     ("prove bb-84", "bb84"), ("scene passing.toml", "passing"), ("example pasing", "passing"),
+     ("scene mine.tml", "mine.toml"), ("prove ./mine.tomll", "./mine.toml")],
+)  # fmt: skip
+def test_what_a_mistyped_name_means(
+    words: str, meant: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path("mine.toml").write_text("")
+    assert main(words.split()) == 2
+    assert f"did you mean {meant}?" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(("name", "command"), [("bead", "scene"), ("fista", "prove")])

@@ -216,7 +216,8 @@ def test_a_row_that_is_left_open_has_no_proof() -> None:
         decisions={**outcome.decisions, name: open_row},
         steps=tuple(s for s in outcome.steps if getattr(s, "name", "") != name),
     )
-    assert "  undecided, so that there is no proof" in explain(changed, name, PAPER)
+    first, *_, said, _ = explain(changed, name, PAPER)
+    assert (first, said) == (f"undecided: obligation {name}", "  there is no proof")
 
 
 def test_a_proof_uses_only_what_was_proved_before() -> None:

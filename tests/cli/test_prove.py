@@ -219,9 +219,11 @@ def test_what_is_proved_before_an_interruption_is_kept(
 def test_rows_that_begin_are_told_to_who_watches(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("verify.cli.steps.is_watched", lambda: True)
+    for module in ("steps", "terminal"):
+        monkeypatch.setattr(f"verify.cli.{module}.is_watched", lambda: True)
     assert main(["prove", written(tmp_path, example("instance"))]) == 0
-    assert capsys.readouterr().err.splitlines() == ["[1/2] two …", "[2/2] at-root …"]
+    shown = capsys.readouterr().err.split("\r")
+    assert shown == ["", "[1/2] two …\x1b[K", "[2/2] at-root …\x1b[K", "\x1b[K"]
 
 
 def test_the_files_are_the_same_again(tmp_path: Path) -> None:

@@ -65,6 +65,21 @@ def test_the_examples(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert document["judged_by"] == (None if last is None else "FLINT at a point")
 
 
+def test_a_cutoff(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, SCENES / "bead.toml", "--cutoff", "1e-10", "--json")
+    document = json.loads(out)
+    assert (code, err, document["cutoff"]["time"]) == (0, "", "1/10000000000")
+    assert not [error.message for error in VALID.iter_errors(document)]
+    assert (
+        str(document["cutoff"]["collisions"][1])
+        in run(capsys, SCENES / "bead.toml", "--cutoff", "1e-10")[1]
+    )
+    assert "no collapse" in run(capsys, SCENES / "passing.toml", "--cutoff", "1")[1]
+    for words in (["--cutoff", "0"], ["--cutoff", "x"]):
+        assert run(capsys, SCENES / "bead.toml", *words)[0] == 2
+    assert run(capsys, SCENES, "--cutoff", "1")[0] == 2
+
+
 def test_numbers_are_read_exactly(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys, written(tmp_path, GOOD))
     assert (code, out) == run(capsys, SCENES / "nearly-aligned.toml")[:2]
@@ -86,7 +101,7 @@ BAD = {
     "overlap": (GOOD.replace("501/500", "1/2"), "0 and 1 overlap by about 0.5: their distance"),
     "overlap-of-1e-74": (GOOD.replace("501/500", "0." + "9" * 74), "overlap by about 1E-74"),
     "overlap-of-2": (GOOD.replace("-1.006", "0.2"), "0 and 2 overlap by about 0.785:"),
-    "r": (GOOD.replace("0.03", "1"), "r: '1' is not in ]0,1["),
+    "r": (GOOD.replace("0.03", "1"), "r: '1' is not in (0, 1)"),
     "no-number": (
         GOOD.replace("-1.006", '"one"'),
         "positions of particle 2: 'one' is not an exact",
@@ -110,13 +125,13 @@ BAD = {
     "unknown": (GOOD + "mass = 2\n", "'mass' is not known (do you mean masses?)"),
     "unknown-e": (GOOD.replace("r =", "e ="), "'e' is not known (do you mean r?)"),
     "unlike-any": (GOOD + "xyz = 2\n", "'xyz' is not known; a parameter"),
-    "comma": (GOOD.replace("0.03", "0,05"), "; write r = 0.05, with a decimal point"),
-    "comma-in-a-list": (GOOD.replace("-1.006", "-1,006"), "; write -1.006, with a decimal point"),
-    "no-quotes": (GOOD + "time_unit = s\n", '; write time_unit = "s", in quotes'),
-    "unit": (GOOD + "diameter = 0.02m # x\n", '; write diameter = "0.02m", in quotes'),
-    "interval": (GOOD.replace("0.03", "0.01..0.09"), '; write r = "0.01..0.09", in quotes'),
-    "parameter": (GOOD.replace("-1.006", "h"), '; write "h", in quotes'),
-    "term": (GOOD.replace("-1.006", "1, -2*h"), '; write "-2*h", in quotes'),
+    "comma": (GOOD.replace("0.03", "0,05"), "; write r = 0.05"),
+    "comma-in-a-list": (GOOD.replace("-1.006", "-1,006"), "-1.006"),
+    "no-quotes": (GOOD + "time_unit = s\n", '; write time_unit = "s"'),
+    "unit": (GOOD + "diameter = 0.02m # x\n", "; write diameter = 0.02"),
+    "interval": (GOOD.replace("0.03", "0.01..0.09"), '; write r = "0.01..0.09"'),
+    "parameter": (GOOD.replace("-1.006", "h"), '"h"'),
+    "term": (GOOD.replace("-1.006", "1, -2*h"), '"-2*h"'),
     "not-odd": (GOOD.replace("-1.006", "1e1") + "[a] x\n", "; write r, positions, velocities"),
     "family": (GOOD.replace("0.03", '"0.01..0.09"'), "is a family of scenes; add --sample N, or "),
     "walls": (GOOD + "walls = 2\n", "'walls' is not part of the model: smooth spheres without"),
@@ -133,15 +148,24 @@ BAD = {
     ),
     "a-unit": (
         GOOD.replace("-1.006", '"2 cm"'),
-        "positions of particle 2: '2 cm' has a unit; write 2, with length_unit = \"cm\"",
+        "positions of particle 2: '2 cm' has a unit; write 2, with all lengths in one unit",
     ),
     "speed": (
         GOOD.replace("-1.4", '"-1.4 m/s"'),
-        'write -1.4, with length_unit = "m" and time_unit = "s"',
+        'write -1.4, with all velocities in one unit (length_unit = "m" and',
     ),
-    "diameter-unit": (GOOD + 'diameter = "2mm"\n', 'write 2, with length_unit = "mm"'),
-    "radii-unit": (GOOD + 'radii = ["1 m", 1, 1]\n', 'write 1, with length_unit = "m"'),
-    "mass-unit": (GOOD + 'masses = ["1 kg", 1, 1]\n', "'1 kg' is not an exact number"),
+    "diameter-unit": (
+        GOOD + 'diameter = "2mm"\n',
+        'write 2, with all lengths in one unit (length_unit = "mm" names it)',
+    ),
+    "radii-unit": (
+        GOOD + 'radii = ["1 m", 1, 1]\n',
+        'write 1, with all lengths in one unit (length_unit = "m" names it)',
+    ),
+    "mass-unit": (
+        GOOD + 'masses = ["1 kg", 1, 1]\n',
+        "'1 kg' has a unit; write 1: only the ratios of masses matter",
+    ),
     "angle": (GOOD.replace("-1.006", '"-1.5*cos(30°)"'), "write coordinates, not angles"),
     "diameter": (GOOD + 'diameter = "0"\n', "diameter: '0' is not positive"),
     "no-toml": ("r = = 1\n", "is not valid TOML"),
@@ -713,9 +737,12 @@ def test_a_sample_of_some_parameters(tmp_path: Path, capsys: pytest.CaptureFixtu
     [
         ((), "is a family of scenes; add --sample N, or --at"),
         (("--grid", "r=0.01..0.1:4", "--at", "h=0"), "--grid: v has no value; add --at v=A"),
-        (("--grid", "r=0.01..0.1"), "'r=0.01..0.1': write NAME=A..B:N once for some of h, r, v"),
+        (
+            ("--grid", "r=0.01..0.1"),
+            "'r=0.01..0.1': write r=0.01..0.1:5 for 5 values, once for some of h, r, v",
+        ),
         (("--grid", "r=0.01..0.2:4"), "--grid: r=0.2 is not in 0.01..0.1"),
-        (("--grid", "q=0.01..0.2:4"), "write NAME=A..B:N once for some of h, r, v"),
+        (("--grid", "q=0.01..0.2:4"), "write NAME=A..B:N, once for some of h, r, v"),
         (("--grid", "r=0.01..0.02:1"), "--grid: "),
         (("--grid", "r=0.01..0.1:1000,h=0..0.1:1001"), "more than 1000000 points"),
         (("--grid", "r=0.01..0.1:2", "--at", "r=0.02"), "for some of h, v"),
@@ -726,7 +753,7 @@ def test_a_sample_of_some_parameters(tmp_path: Path, capsys: pytest.CaptureFixtu
         (("--at", "0.04"), "--at: '0.04': write NAME=A for each of h, r, v"),
         (
             ("--at", "h=0,001,v=0,3"),
-            "'001': write NAME=A for each of h, r, v, with a decimal point",
+            "write h=0.001,v=0.3\n",
         ),
         (("--at", "h=1,r=0.03,v=0"), "--at: h=1 is not in 0..0.1, its interval in "),
         (("--at", "h=1"), "--at: r is missing"),
@@ -734,7 +761,7 @@ def test_a_sample_of_some_parameters(tmp_path: Path, capsys: pytest.CaptureFixtu
         (("--at", "q=1"), "write NAME=A once for each of h, r, v"),
         (("--at", "h=0,r=0.03,v=0", "--grid", "r=0.01..0.1:2"), "has no parameter without a value"),
         (("--sample", "0"), "--sample: "),
-        (("--sample", "5", "--confidence", "100%"), "--confidence: '100%' is not in ]0,1["),
+        (("--sample", "5", "--confidence", "100%"), "--confidence: '100%' is not in (0, 1)"),
         (
             ("--sample", "5", "--plot", "a.html"),
             "'a.html': a sample is drawn as .svg; write FILE.svg",

@@ -8,7 +8,8 @@ import sys
 
 import pytest
 
-from verify.cli.steps import Steps, time_in_words, watched
+from verify.cli.steps import Clock, Steps, time_in_words, watched
+from verify.cli.terminal import erase
 from verify.measure import bench
 
 
@@ -22,16 +23,36 @@ class Terminal(io.StringIO):
 def test_each_step_and_what_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
     stream = Terminal()
     monkeypatch.setattr(sys, "stderr", stream)
-    clock = iter([0.0, 10.0, 20.0])
+    monkeypatch.setenv("COLUMNS", "80")
+    clock = iter([10.0, 20.0])
     monkeypatch.setattr("time.monotonic", lambda: next(clock))
     progress = Steps(3)
-    for text in ("one", "two", "three"):
+    for text in ("one", "two", "three" * 50):
         progress(text)
-    assert stream.getvalue().splitlines() == [
-        "[1/3] one …",
-        "[2/3] two … (about 20 s left)",
-        "[3/3] three … (about 10 s left)",
+    erase()
+    erase()
+    shown = stream.getvalue().split("\r")
+    assert shown == [
+        "",
+        "[1/3] one …\x1b[K",
+        "[2/3] two …\x1b[K",
+        f"[3/3] {'three' * 50}"[:79] + "\x1b[K",
+        "\x1b[K",
     ]
+
+
+def test_the_first_part_does_not_count(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A scan of 5000 points was said to take 29 min after the first one, and took 27 s."""
+    now = [0.0]
+    monkeypatch.setattr("time.monotonic", lambda: now[0])
+    clock, found = Clock(5000), []
+    for done in range(1, 5000):
+        now[0] += 0.35 if done == 1 else 27 / 5000
+        found.append(clock.rest(done))
+    assert found[:100] == [""] * 100
+    for done, text in enumerate(found, 1):
+        assert not text or abs(int(text.split()[1]) - 27 * (5000 - done) / 5000) <= 1
+    assert " (about 26 s left)" in found
 
 
 def test_a_bar_and_what_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -46,7 +67,7 @@ def test_a_bar_and_what_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
         for part in watched("abcd", 4, apart=apart):
             stream.write(part)
         text = stream.getvalue()
-        assert "] 1 of 4 (about " in text
+        assert "] 3 of 4 (about " in text
         assert "4 of 4" not in text
         assert text.endswith("\r\x1b[Kd")
         assert ("\r\x1b[Kb" in text) == apart

@@ -14,7 +14,8 @@ import pytest
 
 from verify.cli import main
 from verify.cli.columns import table_lines
-from verify.cli.terminal import COLUMNS, ROOMY, width, wrapped
+from verify.cli.options import Options
+from verify.cli.terminal import COLUMNS, ROOMY, show, width, wrapped
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMAND = [sys.executable, "-m", "verify", "theorem1", "--r", "0.03"]
@@ -148,3 +149,22 @@ def test_the_screen_fits(
     assert "θ₀ = 5π/6" in out
     assert "-cos θ₀ = 0.86602540…" in " ".join(out.split())
     assert not re.search("[0-9]e-?[0-9]", out)
+
+
+@pytest.mark.parametrize(
+    ("line", "marked"),
+    [
+        ("finite: r > 7 - 4√3", ["finite"]),
+        ("  proved    0 < r", ["proved"]),
+        ("Verdict: refuted: A title", ["refuted"]),
+        ("As printed, with <: refuted (Coq)", ["refuted"]),
+        ("III: total impulse 13/13, IV: finite or infinite time 4/4", []),
+        ("two pages: proved rows and others", []),
+        ("A case: collapses of balls", []),
+    ],
+)
+def test_words_are_marked_by_what_they_mean(
+    line: str, marked: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    show([line], Options(color="always"))
+    assert re.findall(r"[✓✗?]\W([a-z]+)", capsys.readouterr().out) == marked

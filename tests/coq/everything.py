@@ -270,6 +270,7 @@ def everything(folders: list[Path]) -> str:
     main = f"soundness, files, theorem_1, point, angle, {', '.join(map(compiled, scenes))}"
     main += ", Pinned.collapsing_scene, printed_set, separatrix, discharged, classification"
     main += ", line, three_balls, printed_sign, not_as_printed, matrix, spectrum"
+    main += ", PinnedPrintedSign.false_for_all"
     lines.append(f"Definition everything := ({main}{names}).")
     return "\n".join([*lines, "Print Assumptions everything.", ""])
 

@@ -183,12 +183,31 @@ OTHERS = {
         "0 < - cos theta_0 < 2 * cube_root r * (1 + cube_root r) / (1 + r)",
         "2 * cube_root r * (1 + cube_root r) / (1 + r) < - cos theta_0",
     ),
-    "sign-in-the-plane": Definition("PrintedSign", "(2 <= d)%nat", "(2 = d)%nat"),
+    "sign-in-the-plane": Definition(
+        "PrintedSign", "(2 <= d)%nat -> hyp", "(2 = d)%nat -> hyp"
+    ),
     "sign-without-room": Definition("PrintedSign", "/\\ 0 < delta_theta.", "/\\ 0 <= delta_theta."),
     "sign-at-the-bound": Definition(
         "PrintedSign",
         "- cos theta_0 + delta_theta < 4 * sqrt r / (1 + r)) /\\",
         "- cos theta_0 + delta_theta <= 4 * sqrt r / (1 + r)) /\\",
+    ),
+    "sign-at-in-the-plane": Definition(
+        "PrintedSign", "(2 <= d)%nat -> 0 < r < 1", "(2 = d)%nat -> 0 < r < 1"
+    ),
+    "sign-at-no-angle": Definition(
+        "PrintedSign",
+        "- cos theta_0 + delta_theta < 2 * cube",
+        "- cos theta_0 + delta_theta < - cube",
+    ),
+    "sign-at-another-angle": Definition(
+        "PrintedSign",
+        "~ as_printed_at d r theta_0 delta_theta) /\\",
+        "~ as_printed_at d r 0 delta_theta) /\\",
+    ),
+    "sign-much-spin": Definition("PrintedSign", "0 < spin2 d s", "1 < spin2 d s"),
+    "sign-spin-at-the-bound": Definition(
+        "PrintedSign", "    c + delta_theta < 2 * cube", "    c + delta_theta < cube"
     ),
     "sign-another-ball": Definition(
         "PrintedSign", "in_turn_from N i j B0 a b", "in_turn_from N i j a B0 b"
@@ -491,10 +510,16 @@ def modules(parts: dict[str, str]) -> dict[str, str]:
         name: re.sub("^Print Assumptions .*", "", text, flags=re.MULTILINE)
         for name, text in parts.items()
     }
-    return {
+    # What is compiled comes first: else it would take the short names of what is changed.
+    lines = [sentence.findall(text) for text in parts.values()]
+    needed = {name for found in lines for _, names in found for name in names.split()} - {*parts}
+    first = f"From Verify Require {' '.join(sorted(needed))}.\n" if needed else ""
+    texts = {
         name: f"Module {name}.\n{sentence.sub(required, text)}\nEnd {name}.\n"
         for name, text in silent.items()
     }
+    name, text = next(iter(texts.items()))
+    return {**texts, name: first + text}
 
 
 def first_that_fails(directory: Path, parts: dict[str, str]) -> str:

@@ -271,11 +271,24 @@ SAID = {
         ),
         (
             "forall r theta_0 delta_theta d, (2 <= d)%nat -> hypotheses_as_printed r theta_0 "
-            "delta_theta -> exists set, has_interior d set /\\ forall x v, set x v -> "
-            "nearly_linear d r x v (- cos theta_0) delta_theta."
+            "delta_theta -> as_printed_at d r theta_0 delta_theta."
         ),
         (
-            "~ as_printed /\\ (exists r theta_0 delta_theta, hypotheses_as_printed r theta_0 "
+            "as_printed_at d r theta_0 delta_theta : Prop := exists set, has_interior d set /\\ "
+            "forall x v, set x v -> nearly_linear d r x v (- cos theta_0) delta_theta."
+        ),
+        (
+            "~ as_printed /\\ (forall d r theta_0 delta_theta, (2 <= d)%nat -> 0 < r < 1 -> "
+            "- cos theta_0 + delta_theta < 2 * Rpower r (1 / 3) * (1 + Rpower r (1 / 3)) / (1 + "
+            "r) -> ~ as_printed_at d r theta_0 delta_theta) /\\"
+        ),
+        (
+            "(forall d r x v c delta_theta, 0 < r < 1 -> 0 < spin2 d x v -> c + delta_theta < 2 * "
+            "Rpower r (1 / 3) * (1 + Rpower r (1 / 3)) / (1 + r) -> ~ nearly_linear d r x v c "
+            "delta_theta) /\\"
+        ),
+        (
+            "(exists r theta_0 delta_theta, hypotheses_as_printed r theta_0 "
             "delta_theta /\\ - cos theta_0 + delta_theta < 4 * sqrt r / (1 + r)) /\\"
         ),
         (
@@ -532,6 +545,9 @@ SAID = {
 #: Each makes one of these pages say less: in the page alone nothing else would see it.
 WEAKER = (
     ("PinnedPrintedSign", "(2 <= d)%nat", "(d = 2)%nat"),
+    ("PinnedPrintedSign", "(2 <= d)%nat -> 0 < r", "(d = 2)%nat -> 0 < r"),
+    ("PinnedPrintedSign", "0 < spin2 d x v", "1 < spin2 d x v"),
+    ("PinnedPrintedSign", "~ as_printed_at d r theta_0 delta_theta) /", "True) /"),
     ("PinnedPrintedSign", "has_interior d set /\\", "(exists x v, set x v) /\\"),
     ("PinnedPrintedSign", "0 < delta_theta.", "0 <= delta_theta."),
     ("PinnedPrintedSign", "in_turn_from N i j B0 a b", "in_turn_from N i j a B0 b"),

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+
 import pytest
 
 from tests.prover.test_interior import page
+from verify.cli import main
 from verify.prover.outcome import Outcome
 from verify.wire.questions import decide, read_page_of
 
@@ -53,3 +57,45 @@ def test_a_context_without_a_point_leaves_the_others_alone() -> None:
         'point = { y = 1 }\n[rows]\nother = "y < 1"',
     )
     assert verdicts(outcome(text)) == {"other": "undecided", "row": "proved"}
+
+
+VALUELESS = """title = "t"
+[constants]
+p = "1/3"
+q = "{}"
+s = "q + 1"
+[contexts.c]
+variables = ["x"]
+given = ["0 < x", "x < {}"]
+[rows]
+a = "x < {}"
+b = "p < 1"
+"""
+
+
+@pytest.mark.parametrize(
+    ("term", "why"),
+    [
+        ("sqrt(2 - sqrt(5))", "it has the root of a negative number"),
+        ("root(p - 1, 3)", "it has the root of a negative number"),
+        ("log(p - 1)", "it has the logarithm of a negative number"),
+        ("log(p - 1/3)", "it has the logarithm of 0"),
+        ("asin(2)", "it has the root of a negative number"),
+        ("1/(p - 1/3)", "it divides by 0"),
+    ],
+)
+def test_a_constant_without_a_value_is_told_with_its_line(
+    term: str, why: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Whether a row uses it, or what is given: there it was said that no point was found."""
+    path = tmp_path / "page.toml"
+    path.write_text(VALUELESS.format(term, "1", "2*q + 3"))
+    assert main(["prove", str(path), "--json"]) == 3
+    document = json.loads(capsys.readouterr().out)
+    assert document["spent"] == f"{path}, line 4: constants.q has no value: {why}"
+    assert [row["verdict"] for row in document["obligations"]] == ["undecided", "proved"]
+    path.write_text(VALUELESS.format(term, "s", "2"))
+    assert main(["prove", str(path)]) == 2
+    err = capsys.readouterr().err
+    assert err.startswith(f"verify: {path}, line 4: constants.q: has no value: {why}")
+    assert err.count("\n") == 1

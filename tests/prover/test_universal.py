@@ -42,7 +42,7 @@ from verify.prover.rules import Cuts, Witness
 from verify.wire.read import read
 from verify.wire.write import write
 
-#: x and y are any numbers, r and k lie in ]0,1[, a in [0, oo[, p in ]0, oo[, q in [-1, oo[.
+#: x and y are any numbers, r and k lie in (0, 1), a in [0, oo[, p in ]0, oo[, q in [-1, oo[.
 x, y, r, k, a, p, q = (symbol(name) for name in "xyrkapq")
 TINY = Fraction(1, 10**30)
 HALF = Fraction(1, 2)

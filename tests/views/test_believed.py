@@ -23,14 +23,14 @@ def line(capsys: pytest.CaptureFixture[str], *words: str) -> str:
     """The sentence that a command prints on what is believed."""
     assert main([*words]) == 0
     out = " ".join(capsys.readouterr().out.split())
-    return "Uses " + out.partition("Uses ")[2].partition(" The sentences:")[0]
+    return "Uses " + out.partition("Uses ")[2].partition(" Their text:")[0]
 
 
 def test_coq_has_proved_all_but_the_definition_of_the_step(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     expected = (
-        "Uses 9 assumptions. Believed: hard-spheres (definition). Proved in Coq: "
+        "Uses 9 assumptions. 1 is believed: hard-spheres (definition). 8 are proved in Coq: "
         "cauchy-schwarz, bounded-monotone, finite-length, open-condition, glue-next, "
         "glue-collapse, glue-angle, glue-interior."
     )
@@ -38,10 +38,24 @@ def test_coq_has_proved_all_but_the_definition_of_the_step(
     assert line(capsys, "theorem1", "--all") == expected
 
 
+@pytest.mark.parametrize(
+    "words", [["theorem1", "--all"], ["spectrum"], ["classification"], ["elsewhere"]]
+)
+def test_the_parts_add_up_to_what_the_verdict_is_given(
+    capsys: pytest.CaptureFixture[str], words: list[str]
+) -> None:
+    """One counting: believed, proved in Coq and not needed are all that the verdict counts."""
+    found = line(capsys, *words)
+    total, *parts = map(int, re.findall(r"(?:Uses|\.) ([0-9]+)(?= \w)", found))
+    main([*words])
+    verdict = " ".join(capsys.readouterr().out.split()).partition("; given ")[2]
+    assert total == sum(parts) == sum(map(int, re.findall(r"(\d+) assumption", verdict)))
+
+
 def test_what_coq_has_not_proved_is_believed(capsys: pytest.CaptureFixture[str]) -> None:
     found = line(capsys, "classification")
-    assert found.startswith("Uses 14 assumptions. Believed: ")
-    believed, _, proved = found.partition(" Proved in Coq: ")
+    assert found.startswith("Uses 14 assumptions. 8 are believed: ")
+    believed, _, proved = found.partition(" 6 are proved in Coq: ")
     assert proved == f"{OF_CLASSIFICATION}."
     assert believed.endswith("glue-second.")
     assert "glue-impulse" in believed
@@ -51,12 +65,15 @@ def test_what_coq_proves_of_a_cited_theorem_needs_none_of_its_sentences(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     found = line(capsys, "spectrum")
-    believed, _, proved = found.partition(" Proved in Coq: ")
+    believed, _, proved = found.partition(" 10 are proved in Coq: ")
     assert believed == (
-        "Uses 14 assumptions. Believed: collision-law (definition), linear-model (definition), "
-        "hard-spheres (definition), alternating-run (definition)."
+        "Uses 26 assumptions. 4 are believed: collision-law (definition), linear-model "
+        "(definition), hard-spheres (definition), alternating-run (definition)."
     )
-    assert proved.endswith("no-triangular-collapse, what is used of classification.")
+    assert proved.endswith(
+        "no-triangular-collapse. 12 are not needed: the others of classification, as Coq proves "
+        "what is used of it."
+    )
     # One word in both: the five sentences that are mere glue are theorems in Coq.
     assert main(["spectrum"]) == 0
     text = " ".join(capsys.readouterr().out.split())

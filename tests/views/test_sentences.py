@@ -11,13 +11,15 @@ import pytest
 from tests.points import parameters
 from tests.prover.test_decimals import shown, value_of
 from verify.cli import main
-from verify.language.statement import NEEDED, PROVED, Obligation
+from verify.language.statement import NEEDED, PRINTED, PROVED, Obligation
 from verify.language.terms import Claim, as_term, symbol
 from verify.language.typeset import LONG, Typesetter
 from verify.paper.commands.theorem1 import decide_point
 from verify.prover.outcome import Outcome
+from verify.publication import REPAIRED
 from verify.views import words
 from verify.views.point import failed_hypotheses, in_numbers, place, theorem_in_numbers
+from verify.views.prove import _difference
 
 #: Points at which a sentence stated an empty set, or hid on which side of a threshold it is.
 FOUND = [
@@ -130,3 +132,30 @@ def test_a_row_whose_claim_is_long_says_where_it_is() -> None:
     row = Obligation("a", "", "", NEEDED, "", claim)
     assert words.sentence(row, Typesetter({})) == LONG
     assert words.sentence(row._replace(says="as said"), Typesetter({})) == "as said"
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "told"),
+    [
+        ("1/3", "1/3", "the right side is larger by 0.33333333…"),
+        ("-1/3", "-1/3", "the right side is smaller by 0.33333333…"),
+        ("-98300562/100000000000", "-98300562/100000000000", "smaller by 0.00098300562"),
+        ("0", "0", "both sides are equal"),
+        ("-1/1000000000", "2/1000000000", "the sides differ by at most 2·10⁻⁹"),
+        ("0", "1/7", "the sides differ by at most 0.143"),
+    ],
+)
+def test_a_difference_has_no_sign(low: str, high: str, told: str) -> None:
+    assert told in _difference((Fraction(low), Fraction(high)))
+
+
+def test_a_row_is_explained_as_printed_before_it_is_repaired(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["explain", "zeta-term-2"]) == 0
+    out = capsys.readouterr().out
+    sets = (PRINTED, REPAIRED)
+    printed, repaired = (out.index(f"obligation {which}.zeta-term-2") for which in sets)
+    assert "refuted: " in out[:printed]
+    assert "proved: " in out[printed:repaired]
+    assert out.index("is written in") > repaired

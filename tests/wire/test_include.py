@@ -82,7 +82,7 @@ def test_what_cannot_be_included_is_refused(
 
 @pytest.mark.parametrize("name", pages.names())
 def test_the_digest_of_a_page_covers_what_it_includes(name: str) -> None:
-    table, _ = toml_of(pages.content(name))
+    table, _ = toml_of(name, pages.content(name), "")
     assert bool({"include", "rows_of"} & {*table}) == bool(pages.included(name))
     assert all(text in pages.whole(name) for text in pages.included(name).values())
 

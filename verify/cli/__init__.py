@@ -12,7 +12,7 @@ from io import TextIOWrapper
 
 from verify import __version__
 from verify.cli.options import Parser, beside
-from verify.cli.terminal import width
+from verify.cli.terminal import erase, width
 from verify.language.errors import OwnError
 from verify.language.interrupts import held
 from verify.wire.inputs import InputError, nearest, shown
@@ -37,6 +37,9 @@ COMMANDS = {
     "certify": "make the committed certificates anew, or compare them",
 }
 
+#: The format of the document that says why there is no other one.
+ERROR = "verify-error/1"
+
 #: How the names of files end that a command may be asked about.
 INPUTS = (".toml", ".json", ".smt2", ".fpcore")
 
@@ -58,12 +61,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if sys.stdout is None:
             raise OSError(EBADF, os.strerror(EBADF))
-        code = _dispatch(words)
+        try:
+            code = _dispatch(words)
+        finally:
+            erase()
         sys.stdout.flush()
     except InputError as error:
-        return _fail(str(error), USAGE_ERROR)
+        return _fail(str(error), USAGE_ERROR, words)
     except OwnError as error:
-        return _fail(str(error), OWN_ERROR)
+        return _fail(str(error), OWN_ERROR, words)
     except KeyboardInterrupt:
         return _fail("interrupted", INTERRUPTED)
     except BrokenPipeError:
@@ -84,7 +90,14 @@ def _is_lack(error: OSError) -> bool:
     return error.errno in lacks and not hasattr(error, "characters_written")
 
 
-def _fail(message: str, code: int) -> int:
+def _fail(message: str, code: int, words: Sequence[str] = ()) -> int:
+    """Say why there is no answer: on stderr, and as a document where one is asked for."""
+    if "--json" in words and words[0] in COMMANDS:
+        import json  # loaded only where it is used
+
+        found = {"format": ERROR, "command": words[0], "error": message, "exit_code": code}
+        with suppress(OSError, AttributeError):
+            print(json.dumps(found, ensure_ascii=False, indent=1), flush=True)
     if sys.stderr is not None:
         with suppress(OSError):  # nobody listens; the exit code says it still
             print(f"verify: {message}", file=sys.stderr, flush=True)
@@ -151,7 +164,7 @@ def _help() -> str:
 
 _EXIT_CODES = {
     0: "everything asked for is proved",
-    1: "something asked for is refuted, or a certificate is refused",
+    1: "something asked for, or a hypothesis, is refuted; or a certificate is refused",
     USAGE_ERROR: "the input cannot be used",
     3: "undecided within the precision or work budget",
     4: "a malformed certificate, one that is not its statement's, or a foreign theorem",

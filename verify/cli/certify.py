@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from verify.cli.files import MAX_BYTES, test_folder, write_folder
 from verify.cli.options import Options, Usage
 from verify.cli.steps import Steps
+from verify.cli.terminal import erase
 from verify.prover.outcome import Outcome
 from verify.wire.inputs import InputError, regular_file, shown
 from verify.wire.judge import accept
@@ -42,6 +43,7 @@ def run(options: Options) -> int:
             continue
         accept(contents, outcome.claimed)
         write_folder("--directory", path, contents)
+        erase()
         print(f"written  {path}")
     return 1 if differing else 0
 
@@ -58,6 +60,7 @@ def folder_files(outcome: Outcome) -> dict[str, bytes]:
 def _compare(path: str, contents: Mapping[str, bytes]) -> int:
     """Say of each file whether it is the same; return how many are not."""
     differing = 0
+    erase()
     for name, content in contents.items():
         file = os.path.join(path, name)
         same = _read(file) == content

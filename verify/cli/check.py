@@ -16,7 +16,7 @@ from verify.cli.options import COLOR, JSON, VERBOSE, Options, Usage
 from verify.cli.steps import watched
 from verify.cli.terminal import show
 from verify.language.record import Record
-from verify.wire.inputs import InputError, shown
+from verify.wire.inputs import InputError, near, shown
 from verify.wire.packaged import PACKAGED, PACKAGED_FILES, cited_digests, packaged_files
 
 FORMAT = "verify-check/1"
@@ -144,8 +144,10 @@ def folders_at(paths: Sequence[str]) -> list[check.Folder]:
     for path in paths:
         if not pair and not os.path.isdir(path):
             what = "is a file" if os.path.exists(path) else "does not exist"
+            meant = near(path, PACKAGED_FILES) or f"one of {', '.join(PACKAGED_FILES)}"
             raise InputError(
-                f"path: {shown(path)} {what}; name a folder with {' and '.join(NAMES)}"
+                f"path: {shown(path)} {what}; name a folder with {' and '.join(NAMES)}, or {meant}"
+                ", which comes with the program"
             )
         for name in paths if pair else [os.path.join(path, name) for name in NAMES]:
             if not os.path.isfile(name):
@@ -237,13 +239,13 @@ def _brief(line: str) -> str:
 
 
 def _out_of_range(statement: bytes) -> str:
-    """That r, if the statement has one, is not in ]0,1[."""
+    """That r, if the statement has one, is not in (0, 1)."""
     import json  # loaded only where it is used
 
     text = json.loads(statement)["parameters"].get("r")
     is_number = isinstance(text, str) and NUMBER.fullmatch(text)
     return (
-        f": its r = {text:.60} is not in ]0,1[" if is_number and not 0 < Fraction(text) < 1 else ""
+        f": its r = {text:.60} is not in (0, 1)" if is_number and not 0 < Fraction(text) < 1 else ""
     )
 
 

@@ -27,7 +27,7 @@ from verify.wire.inputs import InputError, rational, shown
 
 USAGE = Usage(
     {
-        "--r R": "what the theorems say at R in ]0,1[ (exact: 0.08, 2/25 or 8e-2)",
+        "--r R": "what the theorems say at R in (0, 1] (exact: 0.08, 2/25 or 8e-2)",
         "--masses M,M,M": "and of three balls with these masses, with --r",
         **claims.OPTIONS,
     }
@@ -49,7 +49,7 @@ def masses_in(text: str) -> tuple[Fraction, ...]:
 
 def run(options: Options) -> int:
     """Print the theorems or the document, write the files, return the exit code."""
-    r = None if options.r is None else restitution(options.r)
+    r = None if options.r is None else restitution(options.r, elastic=True)
     masses = None if options.masses is None else masses_in(options.masses)
     if masses is not None and r is None:
         raise InputError("--masses: add --r R, the coefficient of restitution of all pairs")
@@ -57,21 +57,21 @@ def run(options: Options) -> int:
     outcome = accepted("classification")
     found = None if r is None else at_restitution(r)
     verdict = verdict_at(outcome, found)
-    document, text = classification_document(outcome), []
-    if options.verbose:
-        text += [*meaning_lines(MEANING, PAPER), ""]
-    text += theorem_lines(outcome, PAPER)
+    document = classification_document(outcome)
+    asked: list[str] = []
     if found is not None:
         document |= restitution_document(found)
-        text += ["", *restitution_lines(found)]
+        asked += restitution_lines(found)
     if masses is not None and r is not None:
         accepted("classification_of_balls")
         about = at_masses(masses, r)
         document |= masses_document(about)
-        text += ["", *masses_lines(about)]
+        asked += ["", *masses_lines(about)]
+    text = [*meaning_lines(MEANING, PAPER), ""] if options.verbose else []
+    text += theorem_lines(outcome, PAPER)
     if verdict != outcome.verdict:
         document |= {"verdict": verdict, "headline": verdict}
         text += [f"{verdict.capitalize()}: the longest run at this r"]
-    title = screen("Which collapses there are", outcome, PAPER)
+    title = screen("Which collapses there are", outcome, PAPER, asked)
     claims.answer(outcome, options, lambda _: document, lambda _: [*title, "", *text])
     return EXIT_CODES[verdict]

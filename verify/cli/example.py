@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import os
 
-from verify.cli.files import EXAMPLES, example, read_bytes, write_all
+from verify.cli.files import command_for, example, examples, read_bytes, write_all
 from verify.cli.options import Options, Usage, beside
 from verify.cli.terminal import width
 from verify.wire.inputs import InputError, nearest, shown
 
-USAGE = Usage({"[name]": "of an example; without a name all are listed"})
+USAGE = Usage(
+    {
+        "[name]": f"of an example: {', '.join(examples())}; without a name all are listed with "
+        "what they are, and the command that decides them"
+    }
+)
 
 
 def run(options: Options) -> int:
     """Print the commands that run them, or write one file."""
-    names = sorted(name.removesuffix(".toml") for name in os.listdir(EXAMPLES))
+    names = examples()
     if options.name is None:
         for name in names:
             command = f"verify {_command(name)} {name}"
@@ -36,7 +41,7 @@ def _content(name: str) -> bytes:
 
 
 def _command(name: str) -> str:
-    return "scene" if b"\npositions" in _content(name) else "prove"
+    return command_for(example(name))
 
 
 def _about(name: str) -> str:

@@ -138,15 +138,21 @@ def _anywhere(word: str, options: Options) -> list[str]:
     if answer and not options.verbose:
         return [*answer, f"Where it is written, with all rows: verify explain -v {word}"]
     found = written(word) if word else []
-    text = [line for place in found for line in _where(place, word)]
+    places = [line for place in found for line in _where(place, word)]
     if any(place.label == word for place in found):
-        return [*answer, *text]
-    text = [*answer, *text]
-    there = _statements_with(word, found)
+        return [*answer, *places]
+    text, there = answer, _statements_with(word, found)
+    if {MAIN, AS_PRINTED} <= {*there}:  # first what is printed, then what repairs it
+        there.remove(AS_PRINTED)
+        printed = outcome_of(AS_PRINTED)
+        claimed = explain(printed, word, PAPER, exact=options.verbose, has_proof=False)
+        proof = f"  its proof: verify explain {AS_PRINTED} {word}"
+        text += [_title(AS_PRINTED, printed), *claimed, proof, ""]
     for first in there[:1]:
         outcome = outcome_of(first)
         shown_there = explain(outcome, word, PAPER, exact=options.verbose)
         text += [_title(first, outcome), *shown_there, ""]
+    text += [*places, ""] if places else []
     others = [*there[1:], *_committed(word)]
     if others:
         text += [f"{word} stands in other statements too:" if there else f"{word} stands in:"]
@@ -154,7 +160,7 @@ def _anywhere(word: str, options: Options) -> list[str]:
     if any(not place.part for place in found):
         text += [f"At a point of Theorem 1: verify explain --r 3/100 {word}"]
     if not text:
-        raise InputError(f"row: there is no row {shown(word)}; {_instead(word)}")
+        raise InputError(f"row: {_instead(word)}")
     return text
 
 
@@ -221,7 +227,27 @@ def _committed(word: str) -> Iterator[str]:
 
 
 def _instead(word: str) -> str:
-    from verify.paper.commands.index import near  # loaded only where it is used
+    from verify.paper.commands.index import near  # loaded only where they are used
+    from verify.paper.source import printed_number
 
+    number = re.fullmatch(r"\(?([0-9]+)\.([0-9]+)\)?", printed_number(word) or word)
+    if number:
+        return _near_numbers(int(number[1]), int(number[2]))
     names = near(word)
-    return f"is it {', '.join(names)}?" if names else "write a name of a report, or a label"
+    no_row = f"there is no row {shown(word)}; "
+    return no_row + (
+        f"is it {', '.join(names)}?" if names else "write a name of a report, or a label"
+    )
+
+
+def _near_numbers(section: int, number: int) -> str:
+    """What is said of a number of which there is no row: which numbers have some."""
+    from verify.paper.commands.index import written  # loaded only where they are used
+    from verify.paper.source import printed_numbers
+
+    called = re.compile(r"\(([0-9]+)\.([0-9]+)\)")
+    found = {label: called.fullmatch(text) for label, text in printed_numbers().items()}
+    numbers = {(int(m[1]), int(m[2])) for label, m in found.items() if m and written(label)}
+    known = sorted(numbers, key=lambda n: (abs(n[0] - section), abs(n[1] - number), n))
+    near = ", ".join(f"({a}.{b})" for a, b in sorted(known[:3]))
+    return f"no row is about ({section}.{number}); write one of the nearest that have rows: {near}"

@@ -16,11 +16,12 @@ SYSTEMS = ("coq", "text")
 USAGE = Usage(
     {
         "system": "coq; or text, the page that verify prove reads",
-        "folder": "a folder with a statement and its certificate",
+        "folder": "a folder with a statement and its certificate, or one of step, theorem1-all, …",
         "--readable": "also every constant as a definition, and every row as a lemma in ordinary "
         "notation",
         "--balls": "end with the theorem on three balls: theorem1, or a scene",
-    }
+    },
+    choices={"system": SYSTEMS},
 )
 
 

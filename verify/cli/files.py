@@ -33,6 +33,14 @@ MAX_CITED = 8 * MAX_BYTES
 DATA = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data")
 EXAMPLES = os.path.join(DATA, "examples")
 
+#: Those that are scenes: for the help, where nothing is read.
+SCENES = (
+    *("bead", "in-space", "light-bead", "nearly-aligned", "on-a-line", "parting", "passing"),
+    *("small-bead", "tie"),
+)
+
+PAGES = ("agm", "alpha-theory", "bb84", "fista", "max-cut")
+
 #: A folder for files of these names is a certificate's: it is written, and replaced, as a whole.
 CERTIFICATE = {"statement.json", "certificate.json"}
 
@@ -361,9 +369,21 @@ def read_bytes(option: str, path: str) -> bytes:
     try:
         return regular_file(path, MAX_BYTES)
     except (OSError, ValueError) as error:
+        instead = _meant(path) if isinstance(error, FileNotFoundError) else "name a file"
         raise InputError(
-            f"{option}: {shown(path)} cannot be read ({_reason(error)}); name a file"
+            f"{option}: {shown(path)} cannot be read ({_reason(error)}); {instead}"
         ) from error
+
+
+def _meant(path: str) -> str:
+    """What to write for a file that is not there: one beside it, or an example."""
+    from verify.wire.inputs import near  # loaded only where it is used
+
+    folder, name = os.path.split(path)
+    beside = os.listdir(folder or os.curdir) if os.path.isdir(folder or os.curdir) else []
+    known = [other for other in beside if other.endswith((".toml", ".json", ".smt2", ".fpcore"))]
+    meant = near(name, [*known, *([] if folder else examples())])
+    return f"did you mean {os.path.join(folder, meant)}?" if meant else "name a file"
 
 
 def example(path: str) -> str:
@@ -371,6 +391,16 @@ def example(path: str) -> str:
     found = os.path.join(EXAMPLES, f"{path}.toml")
     is_name = os.path.basename(path) == path and not os.path.lexists(path)
     return found if is_name and os.path.isfile(found) else path
+
+
+def examples() -> list[str]:
+    """The names of the examples that come with the program."""
+    return sorted(name.removesuffix(".toml") for name in os.listdir(EXAMPLES))
+
+
+def command_for(path: str) -> str:
+    """The command that decides a page or a scene: what has positions is a scene."""
+    return "scene" if b"\npositions" in read_bytes("name", path) else "prove"
 
 
 def read_cited(option: str, folder: str) -> dict[str, bytes]:
@@ -413,6 +443,9 @@ def _listed(folder: str) -> list[str]:
 
 def print_document(document: Mapping[str, Any]) -> None:
     """Print one JSON document on stdout."""
-    import json  # loaded only where it is used
+    import json  # loaded only where they are used
 
+    from verify.cli.terminal import erase
+
+    erase()
     print(json.dumps(document, ensure_ascii=False, indent=1))

@@ -21,7 +21,8 @@ from verify.cli.map_boxes import (
 from verify.cli.options import JSON, Options, Usage, leave_out
 from verify.cli.scene_sample import point_in
 from verify.cli.steps import MAX_JOBS
-from verify.cli.terminal import is_watched
+from verify.cli.terminal import erase, is_watched, width, wrapped
+from verify.cli.terminal import progress as say_progress
 from verify.language.errors import OwnError
 from verify.language.record import TYPE_CHECKING
 from verify.spheres.map.axes import axis_in, interval_in, plane_in
@@ -49,8 +50,8 @@ MAX_BOXES, MAX_LEVEL = 10**8, 26
 USAGE = Usage(
     {
         "plane": "phi: of φ1 = eta_s/(-eta_c) and φ2 = d/eta_c²; or the file of a scene",
-        "--r R": "phi: restitution coefficient in ]0,1[",
-        "--neg-cos C": "phi: -cos of the angle, in ]0, 1] (default 1)",
+        "--r R": "phi: restitution coefficient in (0, 1)",
+        "--neg-cos C": "phi: -cos of the angle, in (0, 1] (default 1)",
         "--speed V": "phi: -eta_c (default 1/100)",
         "--tangential U_C,U_S": "phi: tangential speeds (default 1,1)",
         "--x A..B": "φ1 (default 0..1/2); for a scene NAME=A..B: r, a parameter",
@@ -142,7 +143,9 @@ def run(options: Options) -> int:
         print_document(_document(progress))
     else:
         lines = (*map_lines(progress, *_said(progress)), *saddle_lines(_saddle(progress.plane)))
-        sys.stdout.write("".join(f"{line}\n" for line in lines))
+        erase()
+        columns = width() if sys.stdout.isatty() else sys.maxsize
+        sys.stdout.write("".join(f"{line}\n" for line in wrapped(lines, columns)))
     left, areas = area_shares(progress)["undecided"], areas_of(progress)
     done = left <= least if delta is None else areas.is_strip
     return 0 if done else UNDECIDED_CODE
@@ -274,7 +277,7 @@ def _judge(progress: Progress, file: BinaryIO, resumed: str | None) -> None:
 def _watch(sample: Sample) -> None:
     if is_watched():
         share = float(100 * sample.undecided)
-        print(f"\r{sample.boxes} boxes, {share:.4f} % undecided …", end="", file=sys.stderr)
+        say_progress(f"{sample.boxes} boxes, {share:.4f} % undecided …")
 
 
 def _read_times(folder: str, progress: Progress) -> list[Sample]:

@@ -6,6 +6,7 @@ the intervals of the main job.
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from types import SimpleNamespace
@@ -46,11 +47,13 @@ def leave_out(
 
 
 #: What several commands have.
-VERBOSE = {"-v, --verbose": "print every row, and every sentence taken on trust"}
+VERBOSE = {"-v, --verbose": "print every row and every assumption"}
 ROWS = {"--rows NAME": "print the rows of this name, label or (4.47) only"}
 JSON = {"--json": "one JSON document on stdout"}
 COLOR = {"--color WHEN": "auto (default), always or never"}
 CERTIFICATE = {"--out DIR": "write statement.json and certificate.json"}
+#: Options that name a file for a table with commas, and how that may end.
+TABLES, ENDINGS = ("--csv", "--trajectory"), (".csv", ".txt")
 CHOICES = {"--color": ("auto", "always", "never")}
 
 
@@ -125,10 +128,19 @@ class Parser:
         self._place(loose, found)
         missing = [name for name in self._required if field(name) not in found]
         if missing:
-            raise self._error(f"{', '.join(missing)}: is missing")
+            raise self._error(f"{', '.join(missing)}: is missing{self._meant(loose)}")
         blank = dict.fromkeys((*self._places, *self.valued.values()))
         unset = {**blank, **dict.fromkeys(self.flags.values(), False), **self.usage.defaults}
         return Options(**(unset | found))
+
+    def _meant(self, words: list[str]) -> str:
+        """What to write where a word stands in the place of the one before it."""
+        first = self.usage.choices.get(self._places[0], ()) if self._places else ()
+        if len(words) != 1 or not first:
+            return ""
+        chosen = words if words[0] in first else [*first]
+        rest = "FOLDER" if words[0] in first else words[0]
+        return f"; write {' or '.join(f'{self.program} {name} {rest}' for name in chosen)}"
 
     def _once(self, name: str, found: dict[str, object]) -> str:
         """The field of an option."""
@@ -154,6 +166,12 @@ class Parser:
         if value not in (*most, last):
             written = f"{', '.join(most)} or {last}"
             raise InputError(f"{name}: {shown(value)} is unknown; write {written}")
+        before, dot, ending = os.path.basename(value).rpartition(".")
+        if name in TABLES and dot and f".{ending}" not in ENDINGS:
+            raise InputError(
+                f"{name}: {shown(value)} ends in .{ending}; write {before or 'table'}.csv "
+                "(.txt is a table with commas, too)"
+            )
         return value
 
     def _place(self, words: list[str], found: dict[str, object]) -> None:

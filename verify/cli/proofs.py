@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from functools import cache, partial
 
-from verify.cli.files import read_bytes
+from verify.cli.files import command_for, example, read_bytes
 from verify.cli.terminal import progress
 from verify.paper.commands import index
 from verify.paper.parameters import ALL, AS_PRINTED
@@ -82,12 +82,18 @@ def outcome_of(where: str) -> Outcome:
 
         return packaged(where)
     if where not in PACKAGED_FILES:
+        page = example(where)
+        if page.endswith(".toml") and os.path.isfile(page):
+            raise InputError(
+                f"folder: {shown(where)} is a page or a scene; write its certificate first: "
+                f"verify {command_for(page)} {where} --out DIR, and then verify explain DIR ROW"
+            )
         near = get_close_matches(where, PACKAGED_FILES, 3, 0.5) or list(PACKAGED_FILES)
         raise InputError(
             f"folder: {shown(where)} is no folder; name one with a certificate, or write one of: "
             f"{', '.join(near)}"
         )
-    progress(f"proving {where}")
+    progress(f"proving {where} …")
     return accepted_outcome(statements()[where]())
 
 

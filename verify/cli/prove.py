@@ -6,10 +6,12 @@ import json
 import os
 import re
 import sys
+from fractions import Fraction
 from hashlib import sha256
 
 from verify import check
 from verify.cli.files import (
+    PAGES,
     example,
     print_document,
     read_bytes,
@@ -35,7 +37,8 @@ INTERRUPTED = 130
 
 USAGE = Usage(
     {
-        "STATEMENT": "a page of constants (.toml), or a statement.json of questions",
+        "STATEMENT": "a page of constants (.toml), a statement.json of questions, or an "
+        f"example: {', '.join(PAGES)}",
         "--rows NAME,NAME": "decide only these rows, and leave the others out",
         "--out DIR": "write the decided statement and a certificate of it",
         "--work N": f"units of work for each row (default {WORK})",
@@ -71,7 +74,7 @@ def run(options: Options) -> int:
         raise InputError(f"{path}: a term nests too deeply; name its parts") from error
     if options.out is not None:
         _write(options.out, outcome)
-    outcome = _but_for_citations(outcome)
+    outcome = _with_line(_but_for_citations(outcome), options.STATEMENT, content)
     if options.json:
         print_document(decided_document(outcome))
     else:
@@ -92,6 +95,20 @@ def _publication(outcome: Outcome) -> Publication:
     from verify.paper.source import PAPER  # loaded only where it is used
 
     return PAPER
+
+
+def _with_line(outcome: Outcome, path: str, content: bytes) -> Outcome:
+    """The outcome; where a constant of a page has no value, it says in which line that stands."""
+    name, found, why = outcome.spent.partition(" has no value")
+    if not found or not path.endswith(".toml"):
+        return outcome
+    from verify.wire.text.places import Places  # loaded only where it is used
+
+    places = Places(path, content.decode("utf-8-sig"))
+    keys = ["constants", name]
+    if places.known(keys) < len(keys):
+        return outcome
+    return outcome._replace(spent=f"{places.told(keys)}{found}{why}")
 
 
 def _chosen(statement: Statement, names: str | None) -> Statement:
@@ -176,10 +193,23 @@ def _write(directory: str, outcome: Outcome) -> None:
 def _seconds(text: str | None) -> float | None:
     if text is None:
         return None
+    meant = _in_seconds(text.strip())
+    if meant:
+        raise InputError(f"--time: {shown(text)} has a unit; write {meant}, the number of seconds")
     seconds = rational("--time", text)
     if not 0 < seconds < 10**9:
         raise InputError(f"--time: {shown(text)} is no time to wait; write seconds such as 60")
     return float(seconds)
+
+
+def _in_seconds(text: str) -> str:
+    """The seconds that 5s, 2min or 0:30 are; nothing for another text."""
+    timed = re.fullmatch(r"([0-9]{1,6}(?:\.[0-9]{1,6})?) ?(s|m(?!s)|h)[a-z]*", text)
+    if timed:
+        seconds = Fraction(timed[1]) * {"s": 1, "m": 60, "h": 3600}[timed[2]]
+        return f"{float(seconds):g}"
+    minutes = re.fullmatch(r"([0-9]{1,6}):([0-5][0-9])", text)
+    return str(60 * int(minutes[1]) + int(minutes[2])) if minutes else ""
 
 
 def _cited(path: str) -> dict[str, bytes]:

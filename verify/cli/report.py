@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from verify.cli.files import test_folder, write_all
 from verify.cli.options import Options, Usage
 from verify.cli.steps import Steps
+from verify.cli.terminal import erase
 from verify.language.record import TYPE_CHECKING
 from verify.paper.commands.report_files import MAX_BYTES
 from verify.wire.inputs import InputError, regular_file, shown
@@ -57,6 +58,7 @@ def run(options: Options) -> int:
     if not options.compare:
         progress("drawing")
     made = files(material, draw=not options.compare)
+    erase()
     if not options.compare:
         write_all("--directory", options.directory, made)
         for name in _old_pages(options.directory) - made.keys():

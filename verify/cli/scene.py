@@ -7,29 +7,40 @@ import sys
 from collections.abc import Mapping
 from fractions import Fraction
 
-from verify.cli.files import example, print_document, read_bytes, test_folder, write_file
+from verify.cli.files import SCENES, example, print_document, read_bytes, test_folder, write_file
 from verify.cli.options import CERTIFICATE, COLOR, JSON, Options, Usage
 from verify.cli.steps import MAX_JOBS
 from verify.cli.terminal import FIXED, show
+from verify.spheres.scene.afterwards import afterwards, collisions_until
 from verify.spheres.scene.decide import MAX_DIGITS, Budget, Fate, decide_scene
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.scene_files import read_scene
-from verify.spheres.scene.verdict import steps, told
-from verify.views.scene import collision_table, exit_code, given_line, judge_of, scene_document
-from verify.wire.inputs import InputError, integer, shown
+from verify.spheres.scene.verdict import shown_ends, steps, told
+from verify.views.scene import (
+    afterwards_lines,
+    collision_table,
+    cutoff_document,
+    cutoff_line,
+    exit_code,
+    given_line,
+    judge_of,
+    scene_document,
+)
+from verify.wire.inputs import InputError, integer, positive, shown
 
 #: So many digits of the collapse time show how the end comes near.
 PLOT_DIGITS = 12
 
 USAGE = Usage(
     {
-        "scene": "a scene file, or a folder of them",
-        "--digits N": "digits of the collapse time and of the final angle",
+        "scene": f"a scene file, a folder of them, or an example: {', '.join(SCENES)}",
+        "--digits N": "digits of the time of a collapse, the final angle and the velocities",
+        "--cutoff T": "say after how many collisions less time than T is left to a collapse",
         "--collisions N": "how many are followed (default 1000)",
         "--precision BITS": "bits to begin with (default 128)",
         "--max-precision BITS": "last bits (default 4096)",
         "--jobs N": "for a folder: processes at a time (default 1)",
-        "-v, --verbose": "a table of the collisions",
+        "-v, --verbose": "a table of the collisions, and what comes after a collapse",
         **JSON,
         **COLOR,
         "--at POINT": "of a family of scenes this one, or those with these: NAME=A,NAME=B",
@@ -67,6 +78,9 @@ def run(options: Options) -> int:
     """Print the verdict, write what is asked for, return the exit code."""
     options.scene = example(options.scene)
     limits, jobs = budget(options), integer("--jobs", options.jobs, 1, MAX_JOBS)
+    cutoff = None if options.cutoff is None else positive("--cutoff", options.cutoff)
+    if cutoff and (os.path.isdir(options.scene) or options.sample or options.grid):
+        raise InputError("--cutoff: it is for one scene; leave it out")
     if os.path.isdir(options.scene):
         from verify.cli.scene_folder import run_folder  # loaded only where it is used
 
@@ -86,10 +100,15 @@ def run(options: Options) -> int:
     if plot is not None:
         write_file("--plot", options.plot, _drawing(plot, found, limits))
     _write_tables(options, found, judge, values)
+    count = None if cutoff is None else collisions_until(found, cutoff, limits)
     if options.json:
-        print_document(scene_document(told(found), judge))
+        print_document(
+            scene_document(told(found), afterwards(found, limits), judge)
+            | ({} if cutoff is None else {"cutoff": cutoff_document(cutoff, count)})
+        )
     else:
-        show(_text(found, judge, options), options)
+        more = [] if cutoff is None else [cutoff_line(found.verdict, options.cutoff, count)]
+        show([*_text(found, judge, limits, options), *more], options)
     return exit_code(told(found))
 
 
@@ -166,11 +185,13 @@ def _write_tables(
         write_file("--trajectory", options.trajectory, table.csv_text(instants))
 
 
-def _text(found: Fate, judge: str, options: Options) -> list[str]:
+def _text(found: Fate, judge: str, limits: Budget, options: Options) -> list[str]:
     known = told(found)
     lines = [*known.lines, *filter(None, [known.degrees, given_line(known, judge)])]
-    if not options.verbose:
+    if not options.verbose or not found.flow.collisions:
         return lines
     unit = known.scene.labels.time_unit
-    table = collision_table(steps(found), known.bits, unit)
-    return [*(row.replace(" ", FIXED) for row in table), "", *lines]  # a row stays a line
+    table = [*collision_table(steps(found), known.bits, unit), ""]
+    after = afterwards(found, limits)
+    more = [] if after is None else [*afterwards_lines(after, shown_ends), ""]
+    return [*(row.replace(" ", FIXED) for row in table), *more, *lines]  # a row stays a line

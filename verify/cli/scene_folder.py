@@ -16,6 +16,7 @@ from verify.cli.steps import in_order, watched
 from verify.cli.terminal import show
 from verify.cli.unfinished import Result, Unfinished
 from verify.language.errors import OwnError
+from verify.spheres.scene.afterwards import Afterwards, afterwards
 from verify.spheres.scene.decide import Budget, decide_scene
 from verify.spheres.scene.scene_files import read_scene
 from verify.spheres.scene.verdict import Told, told
@@ -103,22 +104,23 @@ def _decide(
     known = told(found)
     if not wants_document:
         return _without_document(name, known, judge_of(False))
+    after = afterwards(found, limits)
     if out is None:
-        return _result(name, known, "")
+        return _result(name, known, after, "")
     place = os.path.join(out, os.path.splitext(name)[0])
-    result = _result(name, known, None)
+    result = _result(name, known, after, None)
     missing = write_scene("--out", place, found, _beside(result))
     if missing:
-        result = _result(name, known, missing)
+        result = _result(name, known, after, missing)
         write_folder("--out", place, _beside(result))
     return result | {"scene": sha256(content).hexdigest()}
 
 
-def _result(name: str, known: Told, missing: str | None) -> Result:
+def _result(name: str, known: Told, after: Afterwards | None, missing: str | None) -> Result:
     """What is found, with a certificate if ``missing`` is None; else it says why there is none."""
     judge = judge_of(missing is None)
     result = _without_document(name, known, judge)
-    document = scene_document(known, judge)
+    document = scene_document(known, after, judge)
     if missing and known.theorems:
         result["lines"].append(f"no certificate: {missing}")
         document |= {"no_certificate": missing}

@@ -37,7 +37,7 @@ from verify.views.scene_table import (
     sample_lines,
     unusable_cells,
 )
-from verify.wire.inputs import InputError, integer, interval, rational, share, shown
+from verify.wire.inputs import InputError, integer, interval, nearest, rational, share, shown
 
 MAX_SAMPLE, MAX_SEED = 10**6, 2**64
 #: The verdict where particles overlap.
@@ -62,7 +62,8 @@ def family_of(options: Options, *, whole: bool = False) -> Family:
     values = point_in("--at", options.at, f"each of {known}")
     odd = sorted(values.keys() - family.sides.keys())
     if odd:
-        raise InputError(f"--at: {shown(odd[0])}: write NAME=A once for each of {known}")
+        instead = nearest(odd[0], family.sides, f"write NAME=A once for each of {known}")
+        raise InputError(f"--at: {shown(odd[0])} has no interval in the file; {instead}")
     missing = sorted(family.sides.keys() - values.keys())
     if whole and missing:
         raise InputError(f"--at: {missing[0]} is missing; write {missing[0]}=A too")
@@ -89,19 +90,26 @@ def point_in(option: str, text: str, each: str = "each parameter") -> dict[str, 
         InputError: if they are written in another way.
     """
     values: dict[str, Fraction] = {}
+    meant = _meant_point(text)
+    if meant:
+        raise InputError(f"{option}: {shown(text)} is not NAME=A for {each}; write {meant}")
     for word in text.split(","):
         name, sign, number = word.partition("=")
         if not sign:
-            raise InputError(f"{option}: {shown(word)}: write NAME=A for {each}{_decimal(text)}")
+            raise InputError(f"{option}: {shown(word)}: write NAME=A for {each}")
         if name in values:
             raise InputError(f"{option}: {shown(word)}: write NAME=A once for {each}")
         values[name] = rational(option, number)
     return values
 
 
-def _decimal(text: str) -> str:
-    """A remark on a comma between digits, which was probably meant as a decimal point."""
-    return ", with a decimal point" if re.search(r"=-?[0-9]+,[0-9]", text) else ""
+def _meant_point(text: str) -> str:
+    """The point that is meant by ``r=0,02`` or ``{r: 0.02; h = 0}``; nothing if it is one."""
+    mended = re.sub(r"\s+|^[{([]|[])}]$", "", text).replace(";", ",")
+    mended = re.sub(r"(?<=[A-Za-z0-9_])(?::=?|==)(?=[-+.0-9])", "=", mended)
+    mended = re.sub(r"(=[-+]?[0-9]+),([0-9]+)(?=,|$)", r"\1.\2", mended)
+    one = r"[A-Za-z][A-Za-z0-9_]*=[^,=]+"
+    return mended if mended != text and re.fullmatch(rf"{one}(,{one})*", mended) else ""
 
 
 def run_sample(options: Options, limits: Budget, jobs: int) -> int:
@@ -142,7 +150,7 @@ def run_sample(options: Options, limits: Budget, jobs: int) -> int:
 def _confidence(text: str) -> Fraction:
     level = share("--confidence", text)
     if not 0 < level < 1:
-        raise InputError(f"--confidence: {shown(text)} is not in ]0,1[; write for example 99%")
+        raise InputError(f"--confidence: {shown(text)} is not in (0, 1); write for example 99%")
     return level
 
 
@@ -210,11 +218,15 @@ def _axes(text: str, family: Family) -> dict[str, list[Fraction]]:
     """The values of each parameter that is named: NAME=A..B:N is N of them, from A to B."""
     axes: dict[str, list[Fraction]] = {}
     known = _parameters("--grid", family)
+    meant = re.sub(r"([0-9]),([0-9])", r"\1.\2", text)
+    if meant != text:
+        raise InputError(f"--grid: {shown(text)} has a decimal comma; write {meant}")
     for word in text.split(","):
         name, _, rest = word.partition("=")
         ends, sign, steps = rest.partition(":")
         if not sign or name in axes or name not in family.sides:
-            raise InputError(f"--grid: {shown(word)}: write NAME=A..B:N once for some of {known}")
+            some = f"{word}:5 for 5 values" if not sign and ".." in rest else "NAME=A..B:N"
+            raise InputError(f"--grid: {shown(word)}: write {some}, once for some of {known}")
         low, high = interval("--grid", ends, partial(rational, "--grid"))
         for end in (low, high):
             family.test_inside("--grid", name, end)

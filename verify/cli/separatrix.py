@@ -42,8 +42,8 @@ CURVE_DIGITS = "8"
 USAGE = Usage(
     {
         "--all": "prove the theorem on the limit map for all parameters",
-        "--r R": "restitution coefficient in ]0,1[ (exact: 0.03, 3/100 or 3e-2), or A..B",
-        "--neg-cos C": "-cos of the angle, in ]0, 1] (default 1)",
+        "--r R": "restitution coefficient in (0, 1) (exact: 0.03, 3/100 or 3e-2), or A..B",
+        "--neg-cos C": "-cos of the angle, in (0, 1] (default 1)",
         "--ratio RATIO": "|W|² of the pair that collided, over the next one's (default 1)",
         "--at Q": "enclose f at this q only (default: a table)",
         "--digits N": "how many digits of f (default 12)",

@@ -19,7 +19,7 @@ MAX_PRECISION = 1 << 22
 
 USAGE = Usage(
     {
-        "--r R": "enclose the spectrum at R in ]0,1[, or for all r in A..B",
+        "--r R": "enclose the spectrum at R in (0, 1), or for all r in A..B",
         "--precision BITS": "bits of the enclosures (default 128)",
         **claims.OPTIONS,
     },
@@ -34,13 +34,14 @@ def run(options: Options) -> int:
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = cite_spectrum()
     document = spectrum_document(outcome)
-    text = [*screen("Spectral claims, for every r in ]0,1[", outcome, PAPER)]
+    found: list[str] = []
     if r is not None:
         from verify.paper.commands import eigenvalues  # loaded only where it is used
 
         spectrum = eigenvalues.at(r[0], bits) if len(r) == 1 else eigenvalues.over(r[0], r[1], bits)
         document |= point_document(r, spectrum, bits)
-        text += point_lines(r, spectrum)
+        found += point_lines(r, spectrum)
+    text = [*screen("Spectral claims, for every r in (0, 1)", outcome, PAPER, found)]
     text += ["", verdict_line(outcome, PAPER)]
     claims.answer(outcome, options, lambda _: document, lambda _: text)
     return outcome.exit_code

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
 from typing import TypeVar
 
-from verify.cli.terminal import is_watched
+from verify.cli.terminal import erase, is_watched, progress
 
 Part = TypeVar("Part")
 Task = TypeVar("Task")
@@ -16,6 +15,8 @@ Task = TypeVar("Task")
 MAX_JOBS = 256
 #: The width of a bar, and how many seconds it stays as it is at least.
 WIDTH, PAUSE = 30, 0.1
+#: Seconds after which the rest of a job is estimated.
+LEAST = 1
 
 
 class Clock:
@@ -26,13 +27,23 @@ class Clock:
     """
 
     def __init__(self, count: int) -> None:
-        self._count, self._start = count, time.monotonic()
+        self._count = count
+        self._first: tuple[int, float] | None = None
 
     def rest(self, done: int) -> str:
-        """About how long the rest will take, in words; nothing at the start, and near the end."""
+        """About how long the rest will take, in words; nothing at the start, and near the end.
+
+        The first part does not count, which loads what all need.
+        """
         if not 0 < done < self._count:
             return ""
-        seconds = (time.monotonic() - self._start) / done * (self._count - done)
+        now = time.monotonic()
+        if self._first is None:
+            self._first = (done, now)
+        first, start = self._first
+        if done == first or now < start + LEAST:
+            return ""
+        seconds = (now - start) / (done - first) * (self._count - done)
         return "" if seconds < 1 else f" (about {time_in_words(seconds)} left)"
 
 
@@ -52,7 +63,7 @@ class Steps:
         """Begin a step."""
         if is_watched():
             number = f"[{min(self._done + 1, self._count)}/{self._count}]"
-            print(f"{number} {text} …{self._clock.rest(self._done)}", file=sys.stderr)
+            progress(f"{number} {text} …{self._clock.rest(self._done)}")
         self._done += 1
 
 
@@ -65,13 +76,13 @@ def watched(parts: Iterable[Part], count: int, *, apart: bool = False) -> Iterat
     clock, shown = Clock(count), 0.0
     for done, part in enumerate(parts, 1):
         if shown and (apart or done == count):
-            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+            erase()
         yield part
         if is_watched() and done < count and (apart or time.monotonic() > shown + PAUSE):
             filled = WIDTH * done // count
             bar = "#" * filled + "." * (WIDTH - filled)
             text = f"[{bar}] {done} of {count}{clock.rest(done)}"
-            print(f"\r{text}\x1b[K", end="", file=sys.stderr, flush=True)
+            progress(text)
             shown = time.monotonic()
 
 

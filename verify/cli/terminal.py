@@ -32,8 +32,10 @@ _STYLES = {
     "undecided": _OPEN,
 }
 _WORDS = "|".join(_STYLES)
-#: A verdict at the start of a line or after a colon.
-_VERDICT = rf"(^ *|: )({_WORDS})(?=$|[ :;,.])"
+#: A verdict: any word of these at the start of a line; after a colon, where prose may follow too,
+#: only what a claim has, and only where it ends there.
+_AT_END = r"(: )(proved|refuted|undecided)(?=$|[:;,.]| \()"
+_VERDICT = rf"^( *)({_WORDS})(?=$|[ :;,.])|{_AT_END}"
 _SYMBOL = rf"[✓✗?] ({_WORDS})"
 #: How a line begins that is a command, to be pasted into a shell.
 _COMMAND = "verify "
@@ -48,6 +50,7 @@ def show(lines: Iterable[str], options: Options, *, records: bool = False) -> No
     ``NO_COLOR`` is set. What a title or a sentence has of line feeds and other signs that are not
     printed cannot make a line of its own, or steer the terminal.
     """
+    erase()
     lines = map(_as_one_line, lines)
     when = options.color or "auto"
     terminal = sys.stdout.isatty()
@@ -71,10 +74,25 @@ def is_watched() -> bool:
     return sys.stderr is not None and sys.stderr.isatty()
 
 
+class _Line:
+    """The line at the end of a terminal's stderr that says how far a job is."""
+
+    is_shown = False
+
+
 def progress(text: str) -> None:
-    """Print on stderr what is being done, if that is a terminal."""
+    """Say on stderr what is being done, in place of what was said before, if that is watched."""
     if is_watched():
-        print(f"{text} …", file=sys.stderr)
+        most = max(width() - 1, 1)  # a line that is wrapped could not be erased
+        print(f"\r{text[:most]}\x1b[K", end="", file=sys.stderr, flush=True)
+        _Line.is_shown = True
+
+
+def erase() -> None:
+    """Afterwards no progress is shown: what is printed then has lines of its own."""
+    if _Line.is_shown:
+        _Line.is_shown = False
+        print("\r\x1b[K", end="", file=sys.stderr, flush=True)
 
 
 def width() -> int:
@@ -124,7 +142,8 @@ def _broken(line: str, columns: int) -> Iterator[str]:
 
 
 def _with_symbol(match: re.Match[str]) -> str:
-    return f"{match[1]}{_STYLES[match[2]][0]}{FIXED}{match[2]}"
+    before, word = match[1] if match[2] else match[3], match[2] or match[4]
+    return f"{before}{_STYLES[word][0]}{FIXED}{word}"
 
 
 def _coloured(match: re.Match[str]) -> str:

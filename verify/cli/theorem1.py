@@ -25,10 +25,10 @@ ENCLOSED_BITS = 128
 USAGE = Usage(
     {
         "--all": "prove it for all parameters, without --r",
-        "--r R": "restitution coefficient in ]0,1[ (exact: 0.03, 3/100 or 3e-2), or an interval "
+        "--r R": "restitution coefficient in (0, 1) (exact: 0.03, 3/100 or 3e-2), or an interval "
         "A..B",
-        "--theta0 ANGLE": "5pi/6, 0.9*pi, 150deg or radians, in ]pi/2, pi]",
-        "--neg-cos C": "-cos of the angle, in ]0, 1] (default 1), or an interval A..B",
+        "--theta0 ANGLE": "5pi/6, 0.9*pi, 150deg or radians, in (pi/2, pi]",
+        "--neg-cos C": "-cos of the angle, in (0, 1] (default 1), or an interval A..B",
         "--delta-theta D": "allowed deviation of the final -cos (default 1/10)",
         "--V0 V": "lower bound of the squared relative speeds (default 1)",
         "--constants SET": "printed, repaired or all (default)",

@@ -1,9 +1,10 @@
-(* One collision of ball 0, whatever the constants are: if the inner products of a scene are the
-   numbers of a state, and a few inequalities hold of these, then the next collision is that of ball 0
-   with the other ball, and the scene after it has the numbers of the next state. The certificates of
-   the step and of the sharper theorem both prove these inequalities, each from its own givens. *)
+(* One collision of ball o, whatever the constants are: if the inner products of a scene are the numbers
+   of a state, in units of the distances of contact, and a few inequalities hold of these, then the next
+   collision is that of o with the other ball, and the scene after it has the numbers of the next state.
+   The certificates of the step, of the sharper theorem and of the collapse of any three balls prove these
+   inequalities, each from its own givens. *)
 From Coq Require Import Reals Lra.
-From Verify Require Import Theorem1 Vectors Motion.
+From Verify Require Import Theorem1 Vectors Motion Classification Contacts Line Bounces ThreeBalls.
 Open Scope R_scope.
 
 (* --- states ----------------------------------------------------------------------------------- *)
@@ -116,6 +117,140 @@ Qed.
 End StepVectors.
 End AnyStep.
 
+(* --- balls of any masses and radii ---------------------------------------------------------------- *)
+
+Section BallsFlight.
+Variable D : nat.
+Variables mass radius : ball -> R.
+Variable r : R.
+Hypothesis heavy : forall b, 0 < mass b.
+Hypothesis round : forall b, 0 < radius b.
+
+Variables o i j : ball.  (* i has just met o, and j is next *)
+Hypothesis distinct : distinct_balls o i j.
+Notation si := (radius o + radius i).
+Notation sj := (radius o + radius j).
+
+(* In units of the distances of contact, the scene has these numbers. *)
+Definition seen (m : numbers) (x : scene) (i j : ball) : Prop := exists p q s c,
+  to x o i = scaled (radius o + radius i) p /\ relative x o i = scaled (radius o + radius i) s /\
+  to x o j = scaled ((radius o + radius j) * (1 + d m)) q /\ relative x o j = scaled (radius o + radius j) c /\
+  products m D p q s c.
+Lemma cosine_seen m x : seen m x i j -> 0 < 1 + d m -> minus_cosine_at D x o i j = C m.
+Proof.
+  intros (p & q & s & c & X1 & _ & X2 & _ & [P Q PQ _ _ _ _ _ _ _]) F. unfold minus_cosine_at.
+  pose proof (round o). pose proof (round i). pose proof (round j).
+  assert (0 < sj * (1 + d m)) by (apply Rmult_lt_0_compat; lra).
+  assert (E1 : distance D x o i = si).
+  { apply as_far; [lra|]. unfold square. rewrite X1, dot_scaled, dot_scaled_right, P. ring. }
+  assert (E2 : distance D x o j = sj * (1 + d m)).
+  { apply as_far; [lra|]. unfold square. rewrite X2, dot_scaled, dot_scaled_right, Q. ring. }
+  rewrite E1, E2, X1, X2, dot_scaled, dot_scaled_right, PQ. field. repeat split; lra.
+Qed.
+
+Variable m : numbers.
+Variable t : R.
+Definition outer_of_balls (u : R) : Prop := (radius i + radius j) ^ 2 <
+  si ^ 2 * (1 + u * eta_s m + u * eta_s m + u * u * B m)
+  - 2 * si * sj * ((1 + d m) * - C m + u * (a m + (1 + d m) * b m) + u * u * w m)
+  + sj ^ 2 * ((1 + d m) * (1 + d m) + (1 + d m) * u * - y m + u * (1 + d m) * - y m + u * u * A m).
+Hypothesis certified : certified_if m t outer_of_balls.
+Variable x : scene.
+Hypothesis shown_by : seen m x i j.
+
+Lemma squares_of_balls u :
+  square D (later u x) o i = si ^ 2 * (1 + u * eta_s m + u * eta_s m + u * u * B m) /\
+  square D (later u x) o j = sj ^ 2 * ((1 + d m) * (1 + d m) + (1 + d m) * u * - y m + u * (1 + d m) * - y m + u * u * A m) /\
+  square D (later u x) i j =
+    si ^ 2 * (1 + u * eta_s m + u * eta_s m + u * u * B m)
+    - 2 * si * sj * ((1 + d m) * - C m + u * (a m + (1 + d m) * b m) + u * u * w m)
+    + sj ^ 2 * ((1 + d m) * (1 + d m) + (1 + d m) * u * - y m + u * (1 + d m) * - y m + u * u * A m).
+Proof.
+  destruct shown_by as (p & q & s & c & X1 & X2 & X3 & X4 & G).
+  pose proof (square_behind m D _ _ _ _ G u) as S1. pose proof (square_ahead m D _ _ _ _ G u) as S2.
+  pose proof (product_between m D _ _ _ _ G u) as S3.
+  assert (E1 : to (later u x) o i = scaled si (combined 1 p u s)).
+  { rewrite to_later, X1, X2. apply same_vector. intros n. unfold combined, scaled. ring. }
+  assert (E2 : to (later u x) o j = scaled sj (combined (1 + d m) q u c)).
+  { rewrite to_later, X3, X4. apply same_vector. intros n. unfold combined, scaled. ring. }
+  assert (E3 : to (later u x) i j = combined (- si) (combined 1 p u s) sj (combined (1 + d m) q u c)).
+  { replace (to (later u x) i j) with (combined (-1) (to (later u x) o i) 1 (to (later u x) o j))
+      by (apply same_vector; intros n; unfold combined, to; ring).
+    rewrite E1, E2. apply same_vector. intros n. unfold combined, scaled. ring. }
+  unfold square. rewrite E1, E2, E3. split; [|split].
+  - rewrite dot_scaled, dot_scaled_right, S1. ring.
+  - rewrite dot_scaled, dot_scaled_right, S2. ring.
+  - rewrite square_of_combined, S1, S2, S3. ring.
+Qed.
+Lemma impact_of_balls : exists p q s c, to x o i = scaled si p /\ relative x o i = scaled si s /\
+  relative x o j = scaled sj c /\ products m D p q s c /\
+  to (later t x) o j = scaled sj (combined (1 + d m) q t c) /\
+  rate D (later t x) o j = sj ^ 2 * impact m t.
+Proof.
+  destruct shown_by as (p & q & s & c & X1 & X2 & X3 & X4 & G). exists p, q, s, c.
+  assert (E2 : to (later t x) o j = scaled sj (combined (1 + d m) q t c)).
+  { rewrite to_later, X3, X4. apply same_vector. intros n. unfold combined, scaled. ring. }
+  repeat (split; [assumption|]). unfold rate. rewrite E2, relative_later, X4, dot_scaled, dot_scaled_right,
+    (rate_ahead m t D _ _ _ _ G). ring.
+Qed.
+
+Theorem balls_meet : meets_next D radius x o j t.
+Proof.
+  pose proof (round o). pose proof (round i). pose proof (round j).
+  pose proof (takes_time _ _ _ certified) as F. pose proof (recedes _ _ _ certified) as E.
+  assert (PI : 0 < si ^ 2) by (apply pow_lt; lra). assert (PJ : 0 < sj ^ 2) by (apply pow_lt; lra).
+  assert (Ai : forall u, 0 < u <= t -> si < distance D (later u x) o i).
+  { intros u U. destruct (squares_of_balls u) as (Q & _). apply farther; [lra|]. rewrite Q.
+    pose proof (spectator_apart _ _ _ certified u ltac:(lra)) as S.
+    assert (0 < u * eta_s m) by (apply Rmult_lt_0_compat; lra).
+    rewrite <- (Rmult_1_r (si ^ 2)) at 1. apply Rmult_lt_compat_l; lra. }
+  assert (Ao : forall u, 0 < u <= t -> radius i + radius j < distance D (later u x) i j).
+  { intros u U. destruct (squares_of_balls u) as (_ & _ & Q). apply farther; [lra|]. rewrite Q.
+    apply (outer_apart _ _ _ certified). lra. }
+  split; [exact F|]. split; [|split; [|split]].
+  - intros u k l U N. revert k l N. apply (any_of_three _ o i j distinct).
+    + intros k l B. rewrite distance_symmetric, Rplus_comm. exact B.
+    + apply Ai. lra.
+    + destruct (squares_of_balls u) as (_ & Q & _). apply farther; [lra|]. rewrite Q.
+      rewrite <- (Rmult_1_r (sj ^ 2)) at 1. apply Rmult_lt_compat_l; [exact PJ|].
+      apply (colliding_apart _ _ _ certified). lra.
+    + apply Ao. lra.
+  - destruct (squares_of_balls t) as (_ & Q & _). apply as_far; [lra|]. rewrite Q, (touching _ _ _ certified). ring.
+  - destruct impact_of_balls as (_ & _ & _ & _ & _ & _ & _ & _ & _ & ->). pose proof (approaching _ _ _ certified).
+    assert (0 < sj ^ 2 * - impact m t) by (apply Rmult_lt_0_compat; lra). lra.
+  - intros k N1 N2. destruct distinct as (D1 & D2 & D3). assert (k = i) as -> by (destruct o, i, j, k; congruence).
+    split; [apply Ai; lra|]. rewrite distance_symmetric, Rplus_comm. apply Ao. lra.
+Qed.
+Theorem balls_after :
+  seen (after_sharing (share_of mass radius (fun _ => r) o j i) r m t) (bounced D mass r o j (later t x)) j i.
+Proof.
+  pose proof (round o). pose proof (round i). pose proof (round j). pose proof (heavy o). pose proof (heavy j).
+  pose proof (far_after _ _ _ certified) as F. destruct distinct as (N1 & N2 & N3).
+  destruct impact_of_balls as (p & q & s & c & X1 & X2 & X4 & G & Omega & Rate).
+  assert (Far : distance D (later t x) o j = sj).
+  { destruct (squares_of_balls t) as (_ & Q & _). apply as_far; [lra|]. rewrite Q, (touching _ _ _ certified). ring. }
+  set (kappa := impact m t) in *. set (share := share_of mass radius (fun _ => r) o j i).
+  exists (combined (1 + d m) q t c), (combined (1 / reach m t) p (t / reach m t) s),
+    (combined 1 c (- ((1 + r) * kappa)) (combined (1 + d m) q t c)),
+    (combined 1 s (- (share * kappa)) (combined (1 + d m) q t c)).
+  split; [exact Omega|]. split; [|split; [|split]].
+  - apply same_vector. intros n. transitivity (relative x o j n -
+      (1 + r) * rate D (later t x) o j / distance D (later t x) o j ^ 2 * to (later t x) o j n).
+    + unfold relative, bounced. cbn [velocity]. rewrite !same_true, (same_false j o) by congruence.
+      cbn [later velocity]. rewrite Far. field. split; lra.
+    + rewrite Far, Rate, Omega, X4. unfold scaled, combined. field. lra.
+  - replace (1 + d (after_sharing share r m t)) with (reach m t) by (unfold after_sharing; cbn [d]; ring).
+    change (to (bounced D mass r o j (later t x)) o i) with (to (later t x) o i). rewrite to_later, X1, X2.
+    apply same_vector. intros n. unfold combined, scaled. field. lra.
+  - apply same_vector. intros n. transitivity (relative x o i n - mass j *
+      ((1 + r) * rate D (later t x) o j / distance D (later t x) o j ^ 2 / (mass o + mass j)) * to (later t x) o j n).
+    + unfold relative, bounced. cbn [velocity]. rewrite !same_true, (same_false i o), (same_false i j) by congruence.
+      cbn [later velocity]. ring.
+    + rewrite Far, Rate, Omega, X2. unfold scaled, combined, share, share_of, reach_of. field. repeat split; lra.
+  - exact (products_next share r m t D _ _ _ _ G _ certified).
+Qed.
+End BallsFlight.
+
 (* --- equal balls of diameter 1 ------------------------------------------------------------------ *)
 
 Section EqualBalls.
@@ -131,85 +266,40 @@ Definition step_certified : Prop := certified_if m t outer_of_equal.
 Hypothesis certified : step_certified.
 
 Variable D : nat.
+Lemma has_seen n x i j : has n D x i j <-> seen D half B0 n x i j.
+Proof.
+  assert (U : forall f : vector, scaled (1 / 2 + 1 / 2) f = f) by (intros f; apply same_vector; intros k; unfold scaled; field).
+  assert (W : (1 / 2 + 1 / 2) * (1 + d n) = 1 + d n) by field. unfold seen, half. rewrite W. split.
+  - intros (q & X & G). exists (to x B0 i), q, (relative x B0 i), (relative x B0 j). rewrite !U. repeat (split; trivial).
+  - intros (p & q & s & c & X1 & X2 & X3 & X4 & G). rewrite U in X1, X2, X4. subst. now exists q.
+Qed.
 Variable x : scene.
 Variable i j : ball.
 Hypothesis others : i <> B0 /\ j <> B0 /\ i <> j.
 Hypothesis shown_by : has m D x i j.
-
-(* The squared distances after a time. *)
-Lemma squares u :
-  square D (later u x) B0 i = 1 + u * eta_s m + u * eta_s m + u * u * B m /\
-  square D (later u x) B0 j = e * e + e * u * - y m + u * e * - y m + u * u * A m /\
-  square D (later u x) i j =
-    1 - 2 * e * - C m + e ^ 2 + 2 * u * (eta_s m - a m - e * b m + e * - y m)
-      + u ^ 2 * (A m + B m - 2 * w m).
+Lemma certified_of_balls : certified_if m t (outer_of_balls half B0 i j m).
 Proof.
-  destruct shown_by as (q & X & G). pose proof (square_behind m D _ _ _ _ G u) as S1.
-  pose proof (square_ahead m D _ _ _ _ G u) as S2. pose proof (product_between m D _ _ _ _ G u) as S3.
-  assert (E : to (later u x) B0 j = combined e q u (relative x B0 j)).
-  { rewrite to_later, X. apply same_vector. intros k. unfold combined, scaled. ring. }
-  unfold square. rewrite (to_outer _ i j), E, to_later. split; [exact S1|]. split; [exact S2|].
-  rewrite square_of_combined, S1, S2, S3. ring.
+  destruct certified as [K1 K2 K3 K4 K5 K6 K7 K8 K9]. split; trivial. intros u U. specialize (K9 u U).
+  unfold outer_of_balls, outer_of_equal, half in *. lra.
 Qed.
-
-Lemma seen_at_impact : exists q, products m D (to x B0 i) q (relative x B0 i) (relative x B0 j) /\
-  to (later t x) B0 j = combined e q t (relative x B0 j) /\ rate D (later t x) B0 j = impact m t.
-Proof.
-  destruct shown_by as (q & X & G). exists q. split; [exact G|].
-  assert (E : to (later t x) B0 j = combined e q t (relative x B0 j)).
-  { rewrite to_later, X. apply same_vector. intros k. unfold combined, scaled. ring. }
-  split; [exact E|]. unfold rate. rewrite E. exact (rate_ahead m t D _ _ _ _ G).
-Qed.
-
 Theorem meets : first_to_meet D x B0 j t.
 Proof.
-  destruct others as (Ni & Nj & Nij). pose proof (takes_time _ _ _ certified) as F.
-  pose proof (recedes _ _ _ certified) as E.
-  assert (Pairs : forall k l, k <> l -> (k = B0 /\ l = i) \/ (k = i /\ l = B0) \/ (k = B0 /\ l = j) \/
-    (k = j /\ l = B0) \/ (k = i /\ l = j) \/ (k = j /\ l = i)).
-  { intros k l. destruct i, j, k, l; tauto || easy. }
-  assert (Away : forall u, 0 < u <= t ->
-    1 < distance D (later u x) B0 i /\ 1 < distance D (later u x) i j).
-  { intros u U. destruct (squares u) as (Qi & _ & Qo). split; apply distance_above.
-    - rewrite Qi. pose proof (spectator_apart _ _ _ certified u ltac:(lra)) as S.
-      assert (0 < u * eta_s m) by (apply Rmult_lt_0_compat; lra). lra.
-    - rewrite Qo. apply (outer_apart _ _ _ certified). lra. }
-  split; trivial.
-  - intros u k l U N. destruct (Away u ltac:(lra)) as [Ai Ao]. destruct (squares u) as (_ & Qj & _).
-    assert (Aj : 1 < distance D (later u x) B0 j)
-      by (apply distance_above; rewrite Qj; apply (colliding_apart _ _ _ certified); lra).
-    destruct (Pairs k l N) as [[-> ->]|[[-> ->]|[[-> ->]|[[-> ->]|[[-> ->]|[-> ->]]]]]]; trivial;
-      now rewrite distance_symmetric.
-  - apply distance_one. destruct (squares t) as (_ & Qj & _). rewrite Qj. exact (touching _ _ _ certified).
-  - destruct seen_at_impact as (q & _ & _ & ->). exact (approaching _ _ _ certified).
-  - intros k K0 Kj. destruct (Away t ltac:(lra)) as [Ai Ao].
-    assert (k = i) by (destruct i, j, k; easy). subst k. split; trivial. now rewrite distance_symmetric.
+  apply equal_meets. apply has_seen in shown_by.
+  exact (balls_meet D half half_positive B0 i j others m t certified_of_balls x shown_by).
 Qed.
 Theorem shows_next : has after_step D (collided D r B0 j (later t x)) j i.
 Proof.
-  destruct others as (Ni & Nj & Nij). pose proof (far_after _ _ _ certified) as F.
-  destruct seen_at_impact as (q & G & Omega & Rate).
-  exists (combined (1 / reach m t) (to x B0 i) (t / reach m t) (relative x B0 i)).
-  rewrite !to_collided, Omega, (relative_collided _ _ _ _ Nj),
-    (relative_collided_other _ _ _ _ _ Ni Nij), Rate, Omega. split.
-  - replace (1 + d after_step) with (reach m t) by (unfold after_step, after_sharing; cbn [d]; ring).
-    rewrite to_later. apply same_vector. intros k. unfold combined, scaled. field. lra.
-  - exact (products_next _ _ _ _ _ _ _ _ _ G _ certified).
+  pose proof meets as [_ _ T _ _]. apply has_seen. pose proof shown_by as G. apply has_seen in G.
+  pose proof (balls_after D one half r one_positive half_positive B0 i j others m t certified_of_balls x G) as K.
+  replace (share_of one half (fun _ => r) B0 j i) with ((1 + r) / 2) in K by (unfold share_of, reach_of, one, half; field).
+  now rewrite (equal_bounced _ _ _ _ _ T) in K.
 Qed.
 End EqualBalls.
 
 Lemma cosine_of m n x i j : has m n x i j -> i <> B0 /\ j <> B0 /\ i <> j -> 0 < 1 + d m ->
   minus_cosine n x = C m.
 Proof.
-  intros (q & X & [P Q PQ _ _ _ _ _ _ _]) (Ni & Nj & N) F. set (e := 1 + d m) in *.
-  assert (U : distance n x B0 i = 1) by (apply distance_one; exact P).
-  assert (W : distance n x B0 j = e).
-  { unfold distance. rewrite X, dot_scaled, dot_scaled_right, Q.
-    replace (e * (e * 1)) with (e * e) by ring. apply sqrt_square. lra. }
-  assert (K : dot n (to x B0 i) (to x B0 j) = - (e * C m)).
-  { rewrite X, dot_scaled_right, PQ. ring. }
-  assert (M : dot n (to x B0 B1) (to x B0 B2) = - (e * C m) /\
-    distance n x B0 B1 * distance n x B0 B2 = e).
-  { destruct i, j; try easy; rewrite U, W; [|rewrite dot_symmetric]; split; trivial; ring. }
-  unfold minus_cosine. destruct M as [-> ->]. field. lra.
+  intros G N F. apply has_seen in G. rewrite <- (cosine_seen n half half_positive B0 i j m x G F).
+  unfold minus_cosine, minus_cosine_at. destruct N as (N1 & N2 & N3), i, j; try easy.
+  now rewrite dot_symmetric, Rmult_comm.
 Qed.

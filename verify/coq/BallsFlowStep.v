@@ -1,8 +1,7 @@
 (* One collision of three balls of any masses and radii, from the certificate of their flow: what
    ThreeBalls.v calls the law is proved. *)
 From Coq Require Import Reals Lra.
-From Verify Require Import Theorem1 Vectors Motion Classification Contacts Line LineProof FlowStep.
-From Verify Require Import ThreeBalls ThreeBallsStep.
+From Verify Require Import Theorem1 Vectors Motion Classification Contacts Line Bounces ThreeBalls.
 From Verify Require BallsFlow.
 Open Scope R_scope.
 

@@ -133,7 +133,7 @@ Check (fun mass radius r o a c w G U_most C_0 Theta Q_0 U_0 => eq_refl :
     let P := alpha * (1 - snd p) - fst p - rho * snd p in
     0 < P /\ rho * snd p * (2 * fst p + rho * snd p) <= U_most * (2 - U_most) * P ^ 2).
 (* glue-next: a scene in units of the distances of contact, and the values v of a state. *)
-Check (fun d radius o m x i j => eq_refl : ThreeBallsStep.seen d radius o m x i j =
+Check (fun d radius o m x i j => eq_refl : AnyStep.seen d radius o m x i j =
   exists p q s c, to x o i = (fun k => (radius o + radius i) * p k) /\
     relative x o i = (fun k => (radius o + radius i) * s k) /\
     to x o j = (fun k => (radius o + radius j) * (1 + AnyStep.d m) * q k) /\
@@ -143,21 +143,21 @@ Check (ThreeBallsStep.balls_step : forall v,
   v Balls.number_of_sigma_s = radius o + radius i -> v Balls.number_of_sigma_c = radius o + radius j ->
   v Balls.number_of_sigma_12 = radius i + radius j ->
   AnyStep.certified_if (ThreeBallsStep.numbers_of v) (ThreeBallsStep.flight v)
-    (ThreeBallsStep.outer_of_balls radius o i j (ThreeBallsStep.numbers_of v))).
-Check (ThreeBallsStep.balls_meet : forall d radius, (forall b, 0 < radius b) -> forall o i j,
+    (AnyStep.outer_of_balls radius o i j (ThreeBallsStep.numbers_of v))).
+Check (AnyStep.balls_meet : forall d radius, (forall b, 0 < radius b) -> forall o i j,
   Classification.distinct_balls o i j -> forall m t,
-  AnyStep.certified_if m t (ThreeBallsStep.outer_of_balls radius o i j m) ->
-  forall x, ThreeBallsStep.seen d radius o m x i j -> Line.meets_next d radius x o j t).
-Check (ThreeBallsStep.balls_after : forall d mass radius r, (forall b, 0 < mass b) ->
+  AnyStep.certified_if m t (AnyStep.outer_of_balls radius o i j m) ->
+  forall x, AnyStep.seen d radius o m x i j -> Line.meets_next d radius x o j t).
+Check (AnyStep.balls_after : forall d mass radius r, (forall b, 0 < mass b) ->
   (forall b, 0 < radius b) -> forall o i j, Classification.distinct_balls o i j -> forall m t,
-  AnyStep.certified_if m t (ThreeBallsStep.outer_of_balls radius o i j m) ->
-  forall x, ThreeBallsStep.seen d radius o m x i j ->
-  ThreeBallsStep.seen d radius o (AnyStep.after_sharing
+  AnyStep.certified_if m t (AnyStep.outer_of_balls radius o i j m) ->
+  forall x, AnyStep.seen d radius o m x i j ->
+  AnyStep.seen d radius o (AnyStep.after_sharing
     ((1 + r) * mass j / (mass o + mass j) * ((radius o + radius j) / (radius o + radius i))) r m t)
-    (LineProof.bounced d mass r o j (Theorem1.later t x)) j i).
-Check (LineProof.bounced_parts : forall d mass r, (forall b, 0 < mass b) -> 0 < r ->
+    (Bounces.bounced d mass r o j (Theorem1.later t x)) j i).
+Check (Bounces.bounced_parts : forall d mass r, (forall b, 0 < mass b) -> 0 < r ->
   forall i j z, i <> j -> 0 < distance d z i j -> rate d z i j < 0 ->
-  Line.parts d mass r i j z (LineProof.bounced d mass r i j z)).
+  Line.parts d mass r i j z (Bounces.bounced d mass r i j z)).
 Check (ThreeBallsStep.new_numbers : forall v, ThreeBallsStep.numbers_of (ThreeBallsStep.new v) =
   AnyStep.after_sharing (v Balls.number_of_beta_c) (v Balls.number_of_r_c) (ThreeBallsStep.numbers_of v)
     (ThreeBallsStep.flight v)).

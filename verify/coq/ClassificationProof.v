@@ -194,17 +194,20 @@ Proof.
   - now apply (second z Z o a c N).
 Qed.
 (* If all relative velocities vanish, then so does the angular momentum. *)
+Lemma spin_at_rest k l : stops d scenes -> (k < d)%nat -> (l < d)%nat -> spin first k l = 0.
+Proof.
+  intros S K L. destruct (settles_always d r first scenes time i j restitutes run) as (z & Z).
+  assert (M : forall x y, Un_cv (fun n => moment (scenes n) k l x y) 0).
+  { intros x y. unfold moment. replace 0 with (to z x y k * 0 - to z x y l * 0) by ring.
+    apply CV_minus; apply CV_mult; try (now apply Z); now apply S. }
+  symmetry. apply (limit_unique_constant (fun n => spin (scenes n) k l)).
+  - unfold spin. replace 0 with (0 + 0 + 0) by ring. repeat apply CV_plus; apply M.
+  - intros n. rewrite (spin_stays d r first scenes time i j restitutes run n k l).
+    destruct run as (F & _). now rewrite F.
+Qed.
 Lemma no_spin_at_rest : stops d scenes -> spin2 d first = 0.
 Proof.
-  intros S. destruct (settles_always d r first scenes time i j restitutes run) as (z & Z).
-  assert (M : forall k l, (k < d)%nat -> (l < d)%nat -> spin first k l = 0).
-  { intros k l K L. assert (M : forall x y, Un_cv (fun n => moment (scenes n) k l x y) 0).
-    { intros x y. unfold moment. replace 0 with (to z x y k * 0 - to z x y l * 0) by ring.
-      apply CV_minus; apply CV_mult; try (now apply Z); now apply S. }
-    symmetry. apply (limit_unique_constant (fun n => spin (scenes n) k l)).
-    - unfold spin. replace 0 with (0 + 0 + 0) by ring. repeat apply CV_plus; apply M.
-    - intros n. rewrite (spin_stays d r first scenes time i j restitutes run n k l).
-      destruct run as (F & _). now rewrite F. }
+  intros S. pose proof (fun k l => spin_at_rest k l S) as M.
   assert (N : forall n, (n <= d)%nat -> dot n (fun k => dot d (spin first k) (spin first k)) (fun _ => 1) = 0).
   { induction n as [|n IH]; intros L; [reflexivity|]. cbn [dot]. rewrite IH by lia.
     assert (P : forall m, (m <= d)%nat -> dot m (spin first n) (spin first n) = 0).

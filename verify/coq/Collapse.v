@@ -53,10 +53,7 @@ Qed.
 Definition numbers : valuation := after S1 parameters constants.
 Lemma number x t : put constants x = Some t ->
   numbers x = show S1 All.all_values parameters (read All.the_table 400 t).
-Proof.
-  intros E. rewrite (read_right S1 All.the_order All.the_table All.the_table_is _ _ All.all_right).
-  unfold numbers, after. now rewrite E.
-Qed.
+Proof. exact (substituted S1 All.the_order _ All.the_table_is _ All.all_right _ _ _ _). Qed.
 (* They are those of Theorem1.v, since both are the same formulas. *)
 Lemma number_c : numbers Step.number_of_c = c.
 Proof. exact (number Step.number_of_c _ eq_refl). Qed.

@@ -16,6 +16,23 @@ Definition induction_of (S : statement) : nat * nat * substitution * substitutio
 Definition extended (v : valuation) (keys : list positive) (w : valuation) : valuation :=
   fun x => if existsb (Pos.eqb x) keys then w x else v x.
 
+(* What is read off a statement in ordinary notation: new values, and lists of givens. *)
+Section Read.
+Variable S : statement.
+Hypothesis in_order : ordered (numbered S) = true.
+Variable T : PM.t node.
+Hypothesis is_table : table (numbered S) = T.
+Variable l : values.
+Hypothesis right : right_values S l.
+Lemma substituted v s x t : put s x = Some t -> after S v s x = show S l v (read T 400 t).
+Proof. intros E. rewrite (read_right S in_order T is_table) by exact right. unfold after. now rewrite E. Qed.
+Lemma givens_shown v gs :
+  Forall (shown S l v) (map (fun a => read_claim T (given_claim a)) gs) <-> satisfies S v gs.
+Proof.
+  rewrite Forall_map. split; apply Forall_impl; intros g; now apply (read_claim_right S in_order T is_table).
+Qed.
+End Read.
+
 Section Extension.
 Variable S : statement.
 Hypothesis well : well_formed S (homes S) = true.
@@ -94,3 +111,7 @@ Proof.
     _ _ _ right).
 Qed.
 End Extension.
+(* The scope of an inner context of that kind, whose bound the flight is. *)
+Ltac in_flight S well table_is all_right inside :=
+  let T := fresh in intros T; eapply (at_a_time S well _ table_is _ all_right);
+  [apply Nat.lt_0_succ | exact inside | vm_compute; reflexivity | vm_compute; reflexivity | apply T | apply T].

@@ -3,7 +3,7 @@
    meanwhile, and the scene after it has the numbers that the flow calls next. A flight to the next
    collision may be cut into such flights. *)
 From Coq Require Import Reals List Lra.
-From Verify Require Import Theorem1 Vectors Motion Meaning FlowStep FlowScene.
+From Verify Require Import Theorem1 Vectors Motion Meaning Bounces BallsFlowStep FlowStep FlowScene.
 From Verify Require Flow.
 Open Scope R_scope.
 
@@ -61,10 +61,10 @@ Qed.
 Theorem drift_apart u : 0 < u <= t -> forall k l, k <> l -> 1 < distance d (later u x) k l.
 Proof.
   intros U. destruct certified as [_ _ _ _ _ _ _ _ _ C1 C2 C3 S1 S2 S3 O1 O2 O3].
-  pose proof (square_i _ _ _ _ _ _ _ _ _ _ _ d x o i c seen u) as Qi.
-  pose proof (square_c _ _ _ _ _ _ _ _ _ _ _ d x o i c seen u) as Qc.
-  pose proof (square_outer _ _ _ _ _ _ _ _ _ _ _ d x o i c seen u) as Qo.
-  apply (any_pair _ _ _ _ _ _ _ _ _ _ _ d x o i c distinct seen);
+  pose proof seen as G. apply gram_is in G. pose proof (law_square_i _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ G u) as Qi.
+  pose proof (law_square_c _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ G u) as Qc.
+  pose proof (law_square_outer _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ G u) as Qo. unfold half in *.
+  apply (any_of_three _ o i c distinct);
     [intros k l; now rewrite distance_symmetric | | |]; apply distance_above.
   - pose proof (in_between _ _ _ _ u S1 S2 S3 U). lra.
   - pose proof (in_between _ _ _ _ u C1 C2 C3 U). lra.

@@ -1,7 +1,7 @@
 (* What the rows of a scene say: each applies a context of the flow to numbers, which therefore satisfy
    what FlowStep.v and Runs.v ask for. *)
 From Coq Require Import Reals List Lra Lia.
-From Verify Require Import Theorem1 Vectors Motion Meaning Terms Citations Readable FlowStep Runs.
+From Verify Require Import Theorem1 Vectors Motion Meaning Terms Citations Readable Extension FlowStep Runs.
 From Verify Require Flow.
 Import ListNotations.
 Open Scope R_scope.
@@ -14,9 +14,7 @@ Definition flow_givens (c : nat) : list shown_claim :=
 Lemma flow_given c w : scope SF c w -> In c (around SF c) ->
   Forall (shown SF Flow.all_values w) (flow_givens c).
 Proof.
-  intros S I. specialize (S c I). unfold satisfies in S. unfold flow_givens. rewrite Forall_map.
-  revert S. apply Forall_impl. intros g.
-  apply (read_claim_right SF Flow.the_order Flow.the_table Flow.the_table_is _ _ _ Flow.all_right).
+  intros S I. apply (givens_shown SF Flow.the_order _ Flow.the_table_is _ Flow.all_right), S, I.
 Qed.
 Lemma scope_of_row S1 c at_ : begins SF S1 (size SF S1) = true -> Nat.leb c (length (contexts SF)) = true ->
   says S1 0 (Applies c at_) -> scope SF c (after S1 (fun _ => 0) at_).

@@ -121,17 +121,12 @@ Proof.
       unfold the_start. repeat (apply Forall_cons; [first [exact G1 | exact G2 | exact G3 | exact G4
         | exact G5 | exact G7 | exact G8 | exact G9 | exact G10 | exact G11 | exact G12 | exact G14
         | exact G15 | exact G16]|]). apply Forall_nil. }
-    rewrite <- the_start_is in A. unfold satisfies. rewrite Forall_map in A. revert A.
-    apply Forall_impl. intros g.
-    apply (read_claim_right S0 Step.the_order Step.the_table Step.the_table_is _ _ _ Step.all_right).
+    apply (givens_shown S0 Step.the_order _ Step.the_table_is _ Step.all_right). now rewrite the_start_is.
 Qed.
 
 Lemma started x t : put start x = Some t ->
   after S0 at_start start x = show S0 Step.all_values at_start (read Step.the_table 400 t).
-Proof.
-  intros E. rewrite (read_right S0 Step.the_order Step.the_table Step.the_table_is _ _ Step.all_right).
-  unfold after. now rewrite E.
-Qed.
+Proof. exact (substituted S0 Step.the_order _ Step.the_table_is _ Step.all_right _ _ _ _). Qed.
 Lemma start_shown : shows (after S0 at_start start) D s B1 B2.
 Proof.
   pose proof (numbers_of_initial _ _ _ _ _ _ _ _ _ _ _ _ _ good_scene) as A. unfold shows.

@@ -78,8 +78,5 @@ Proof.
       | exact C6 | exact C7 | exact (proj1 (C8 _ (1 + v Step.number_of_d)))
       | exact (proj2 (C8 _ (1 + v Step.number_of_d)))]|]).
     apply Forall_nil. }
-  rewrite <- the_standing_is in X. unfold satisfies. rewrite Forall_map in X. revert X.
-  apply Forall_impl. intros g.
-  apply (read_claim_right S0 Step.the_order Step.the_table Step.the_table_is).
-  exact Step.all_right.
+  apply (givens_shown S0 Step.the_order _ Step.the_table_is _ Step.all_right). now rewrite the_standing_is.
 Qed.

@@ -2,7 +2,7 @@
    speeds, and of the time that is left. *)
 From Coq Require Import Reals Arith Lra Lia FunctionalExtensionality.
 From Verify Require Import Theorem1 Vectors Motion Sequences InTurn Ending Classification Contacts.
-From Verify Require Import ClassificationProof Line.
+From Verify Require Import ClassificationProof Line Bounces.
 Open Scope R_scope.
 
 Lemma same_dot d u u' v v' : (forall k, (k < d)%nat -> u k = u' k /\ v k = v' k) -> dot d u v = dot d u' v'.
@@ -65,33 +65,6 @@ Proof.
 Qed.
 End OneFlight.
 
-Definition bounced (i j : ball) (s : scene) : scene :=
-  let lost := (1 + r) * rate d s i j / distance d s i j ^ 2 / (mass i + mass j) in
-  Scene (position s) (fun b k =>
-    if same b i then velocity s b k + mass j * lost * to s i j k
-    else if same b j then velocity s b k - mass i * lost * to s i j k
-    else velocity s b k).
-(* The collision is a hit, after which the balls part at r times the speed. *)
-Lemma bounced_parts i j z : i <> j -> 0 < distance d z i j -> rate d z i j < 0 ->
-  parts d mass r i j z (bounced i j z).
-Proof.
-  intros N D P. pose proof (heavy i). pose proof (heavy j).
-  assert (SQ : dot d (to z i j) (to z i j) = distance d z i j ^ 2)
-    by (change (square d z i j = distance d z i j ^ 2); rewrite square_of_distance; ring).
-  set (J := mass i * mass j * ((1 + r) * - rate d z i j / distance d z i j ^ 2 / (mass i + mass j))).
-  assert (W : hit_with mass J i j z (bounced i j z)).
-  { split; [reflexivity|]. intros x k. unfold bounced. cbn [velocity]. unfold J.
-    destruct (same x i); [field; repeat split; lra|]. destruct (same x j); [field; repeat split; lra | reflexivity]. }
-  exists J. split; [|split; [reflexivity | split; [apply W|]]].
-  - apply Rlt_le, Rmult_lt_0_compat; [now apply Rmult_lt_0_compat|]. apply Rdiv_lt_0_compat; [|lra].
-    apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; lra | now apply pow_lt].
-  - unfold rate at 1. rewrite (same_places z (bounced i j z)) by reflexivity.
-    rewrite (own_velocity mass J i j z _ N W), dot_linear_right, SQ. fold (rate d z i j). unfold J. field. repeat split; lra.
-Qed.
-Lemma any_of_three (P : ball -> ball -> Prop) o a c : distinct_balls o a c ->
-  (forall i j, P i j -> P j i) -> P o a -> P o c -> P a c -> forall i j, i <> j -> P i j.
-Proof. intros (A & C & N) S X Y Z i j M. destruct o, a, c, i, j; try easy; auto. Qed.
-
 (* One collision: from contact with a to contact with c. *)
 Section OneCollision.
 Variable e : vector.
@@ -130,7 +103,7 @@ Proof.
 Qed.
 Lemma reversed : dot d (scaled (-1) e) (scaled (-1) e) = 1.
 Proof. destruct line as [U _]. rewrite dot_scaled, dot_scaled_right, U. ring. Qed.
-Lemma next_state : aligned (scaled (-1) e) (bounced o c (later t s)) o c a
+Lemma next_state : aligned (scaled (-1) e) (bounced d mass r o c (later t s)) o c a
   (radius o + radius c) (radius o + radius a + t * v) (r * w) (share mass r o c * w - v).
 Proof.
   pose proof (aligned_later _ _ _ _ _ _ _ _ _ line t) as L. rewrite duration_is in L.
@@ -140,7 +113,7 @@ Proof.
   pose proof (ahead _ _ _ _ _ _ _ _ _ L (Rlt_le _ _ P)) as D. pose proof (ahead_rate _ _ _ _ _ _ _ _ _ L) as F.
   split; [exact reversed|]. intros k K. destruct L as [_ L]. destruct (L k K) as (A & B & C & E).
   pose proof (heavy o). pose proof (heavy c). destruct distinct as (N1 & N2 & N3).
-  change (to (bounced o c z) o c) with (to z o c). change (to (bounced o c z) o a) with (to z o a).
+  change (to (bounced d mass r o c z) o c) with (to z o c). change (to (bounced d mass r o c z) o a) with (to z o a).
   unfold scaled. split; [rewrite C; ring|]. split; [|split; [rewrite A; ring|]].
   - transitivity (relative z o c k - (1 + r) * rate d z o c / distance d z o c ^ 2 * to z o c k).
     + unfold relative, bounced. cbn [velocity]. rewrite !same_true, (same_false c o) by congruence. 
@@ -179,7 +152,7 @@ Definition away_at n := snd (fst (speeds n)).
 Definition closing_at n := snd (speeds n).
 Fixpoint scenes (n : nat) : scene := match n with
   | O => s
-  | S n => bounced o (next_of n) (later (gap_at n / closing_at n) (scenes n))
+  | S n => bounced d mass r o (next_of n) (later (gap_at n / closing_at n) (scenes n))
   end.
 Fixpoint time (n : nat) : R := match n with O => 0 | S n => time n + gap_at n / closing_at n end.
 Let direction n := if Nat.even n then e else scaled (-1) e.
@@ -256,7 +229,7 @@ Proof.
   replace (time (S n) - time n) with (gap_at n / closing_at n) by (cbn [time]; ring).
   pose proof (next_meeting _ _ _ _ _ _ _ _ (three n) L G V W) as M. fold (next_of n). split; [exact M|].
   destruct M as (_ & _ & C & P & _). destruct (three n) as (_ & N & _). pose proof (round o). pose proof (round (next_of n)).
-  apply bounced_parts; [congruence | rewrite C; lra | exact P].
+  apply bounced_parts; [exact heavy | exact restitutes | congruence | rewrite C; lra | exact P].
 Qed.
 Lemma flight n : 0 < gap_at n / closing_at n.
 Proof. destruct (always n) as (_ & G & _ & W & _). now apply Rdiv_lt_0_compat. Qed.
@@ -357,39 +330,29 @@ Proof.
   unfold minus_cosine_at. fold (f x). rewrite X, Ua, Uc. field. split; lra.
 Qed.
 
-(* For equal balls of diameter 1 these collisions are those of Theorem1.v. *)
 Lemma equal_in_turn d r z t :
   (forall n, let b := collides_with n in let u := t (S n) - t n in
-    meets_next d (fun _ => 1 / 2) (z n) B0 b u /\ parts d (fun _ => 1) r B0 b (later u (z n)) (z (S n))) ->
+    meets_next d half (z n) B0 b u /\ parts d one r B0 b (later u (z n)) (z (S n))) ->
   collides_in_turn d r z t.
 Proof.
-  intros I n. set (mass := fun _ : ball => 1) in *. set (radius := fun _ : ball => 1 / 2) in *. destruct (I n) as ((T1 & N & X & Y & O) & E). fold (collides_with n) in *. cbn zeta in *.
-  assert (U : forall a b : ball, radius a + radius b = 1) by (intros; unfold radius; lra).
-  rewrite U in X. split.
-  - split; [exact T1 | | exact X | exact Y |].
-    + intros u a b J1 J2. rewrite <- (U a b). now apply N.
-    + intros k K1 K2. destruct (O k K1 K2) as [V1 V2]. rewrite U in V1, V2. now split.
-  - destruct E as (J & _ & E & E1 & E2). set (j := collides_with n) in *.
-    set (y := later (t (Datatypes.S n) - t n) (z n)) in *.
-    assert (N1 : B0 <> j) by (apply not_eq_sym, partner_not_0).
-    assert (J1 : J = - ((1 + r) / 2 * rate d y B0 j)).
-    { unfold rate at 1 in E2. rewrite (same_places _ _ _ _ E), (own_velocity mass J B0 j y _ N1 (conj E E1)) in E2.
-      rewrite dot_linear_right in E2. pose proof (unit_square _ _ _ _ X) as U2. unfold square in U2. rewrite U2 in E2.
-      fold (rate d y B0 j) in E2. unfold mass in E2. lra. }
-    destruct (z (Datatypes.S n)) as [places speeds]. cbn [position velocity] in E, E1. unfold collided.
-    f_equal; [exact E|]. extensionality b. extensionality k. rewrite E1, J1. unfold mass.
-    destruct (same b B0); [field|]. destruct (same b j); [field | reflexivity].
+  intros I n. destruct (I n) as (M & J & _ & E & E1 & E2). fold (collides_with n) in *. apply equal_meets in M.
+  split; [exact M|]. set (j := collides_with n) in *. set (y := later (t (S n) - t n) (z n)) in *.
+  assert (N : B0 <> j) by (apply not_eq_sym, partner_not_0).
+  assert (J1 : J = - ((1 + r) / 2 * rate d y B0 j)).
+  { unfold rate at 1 in E2. rewrite (same_places _ _ _ _ E), (own_velocity one J B0 j y _ N (conj E E1)) in E2.
+    rewrite dot_linear_right in E2. pose proof (unit_square _ _ _ _ (contact _ _ _ _ _ M)) as U.
+    change (dot d (to y B0 j) (to y B0 j) = 1) in U. rewrite U in E2. fold (rate d y B0 j) in E2. unfold one in E2. lra. }
+  destruct (z (S n)) as [places speeds]. cbn [position velocity] in E, E1. unfold collided.
+  f_equal; [exact E|]. extensionality b. extensionality k. rewrite E1, J1. unfold one.
+  destruct (same b B0); [field|]. destruct (same b j); [field | reflexivity].
 Qed.
 
 Theorem equal_on_a_line_holds : equal_on_a_line.
 Proof.
   intros d r s e away gap closing Q R L A G C K S F.
-  set (mass := fun _ : ball => 1). set (radius := fun _ : ball => 1 / 2).
-  assert (M : forall b, 0 < mass b) by (intros; unfold mass; lra).
-  assert (P : forall b, 0 < radius b) by (intros; unfold radius; lra).
   assert (D : distinct_balls B0 B1 B2) by (repeat split; discriminate).
-  assert (H : forall b, share mass r B0 b = (1 + r) / 2) by (intros; unfold share, mass; field).
-  destruct (line_theorem_holds d mass radius r s B0 B1 B2 e away gap closing Q M P (proj1 R) D L A G C) as
+  assert (H : forall b, share one r B0 b = (1 + r) / 2) by (intros; unfold share, one; field).
+  destruct (line_theorem_holds d one half r s B0 B1 B2 e away gap closing Q one_positive half_positive (proj1 R) D L A G C) as
     (z & t & T & Z0 & T0 & I & LT & B & V & _).
   { rewrite H. exact K. } { exact S. }
   { rewrite !H. replace ((1 + r) / 2 * ((1 + r) / 2) * Q * (1 - Q)) with (((1 + r) / 2) ^ 2 * Q * (1 - Q)) by ring. exact F. }

@@ -32,10 +32,10 @@ Proof.
   destruct i, j; try easy; cbn [velocity same]; field.
 Qed.
 
-(* Seen from ball 0. *)
-Lemma to_outer s i j : to s i j = combined (-1) (to s B0 i) 1 (to s B0 j).
+(* Seen from ball o. *)
+Lemma from_o x o i j : to x i j = combined (-1) (to x o i) 1 (to x o j).
 Proof. apply same_vector. intros k. unfold to, combined. ring. Qed.
-Lemma relative_outer s i j : relative s i j = combined (-1) (relative s B0 i) 1 (relative s B0 j).
+Lemma moves_from_o x o i j : relative x i j = combined (-1) (relative x o i) 1 (relative x o j).
 Proof. apply same_vector. intros k. unfold relative, combined. ring. Qed.
 Lemma to_opposite s i j : to s i j = scaled (-1) (to s j i).
 Proof. apply same_vector. intros k. unfold to, scaled. ring. Qed.
@@ -54,10 +54,16 @@ Qed.
 
 (* Distances by their squares. *)
 Definition square d s i j := dot d (to s i j) (to s i j).
+Lemma farther d s i j x : 0 <= x -> x ^ 2 < square d s i j -> x < distance d s i j.
+Proof.
+  intros P Q. rewrite <- (sqrt_pow2 x P). unfold distance. apply sqrt_lt_1; [apply pow2_ge_0 | apply dot_self | exact Q].
+Qed.
+Lemma as_far d s i j x : 0 <= x -> square d s i j = x ^ 2 -> distance d s i j = x.
+Proof. intros P Q. unfold distance. unfold square in Q. rewrite Q. now apply sqrt_pow2. Qed.
 Lemma distance_above d s i j : 1 < square d s i j -> 1 < distance d s i j.
-Proof. intros H. unfold distance. rewrite <- sqrt_1. apply sqrt_lt_1; unfold square in H; lra. Qed.
+Proof. intros H. apply farther; lra. Qed.
 Lemma distance_one d s i j : square d s i j = 1 -> distance d s i j = 1.
-Proof. unfold square, distance. intros ->. exact sqrt_1. Qed.
+Proof. intros H. apply as_far; lra. Qed.
 Lemma square_of_distance d s i j : square d s i j = distance d s i j * distance d s i j.
 Proof. symmetry. apply sqrt_sqrt, dot_self. Qed.
 

@@ -39,10 +39,7 @@ Definition flight : R := Step.tau y A d.
 Definition new : valuation := after S0 w next.
 Lemma new_value x t : put next x = Some t ->
   new x = show S0 Step.all_values w (read Step.the_table 400 t).
-Proof.
-  intros E. rewrite (read_right S0 Step.the_order Step.the_table Step.the_table_is _ _ Step.all_right).
-  unfold new, after. now rewrite E.
-Qed.
+Proof. exact (substituted S0 Step.the_order _ Step.the_table_is _ Step.all_right _ _ _ _). Qed.
 Ltac is_new x := exact (new_value x _ eq_refl).
 
 Lemma flight_positive : 0 < flight.
@@ -120,17 +117,9 @@ Proof.
 Qed.
 
 Lemma before t : 0 <= t < flight -> scope S0 Step.context_before (at_time w Step.number_of_s t).
-Proof.
-  intros T. eapply (at_a_time S0 well Step.the_table Step.the_table_is _ Step.all_right);
-    [apply Nat.lt_0_succ | exact inside | vm_compute; reflexivity | vm_compute; reflexivity
-    | apply T | apply T].
-Qed.
+Proof. in_flight S0 well Step.the_table_is Step.all_right inside. Qed.
 Lemma meanwhile t : 0 <= t <= flight -> scope S0 Step.context_meanwhile (at_time w Step.number_of_t t).
-Proof.
-  intros T. eapply (at_a_time S0 well Step.the_table Step.the_table_is _ Step.all_right);
-    [apply Nat.lt_0_succ | exact inside | vm_compute; reflexivity | vm_compute; reflexivity
-    | apply T | apply T].
-Qed.
+Proof. in_flight S0 well Step.the_table_is Step.all_right inside. Qed.
 Lemma colliding_apart t : 0 <= t < flight ->
   1 < (1 + d) * (1 + d) + (1 + d) * t * - y + t * (1 + d) * - y + t * t * A.
 Proof. intros T. row_of (at_time w Step.number_of_s t) Step.row_of_colliding_pair_apart_is (before t T). Qed.

@@ -3,7 +3,7 @@
    theorem to each scene. AsPrinted.v is made from it, with the numbers that its terms have after the
    flow, as in Sharper.v. *)
 From Coq Require Import Reals List Lra FunctionalExtensionality.
-From Verify Require Import Theorem1 Vectors Motion Sequences Meaning Terms Citations Readable.
+From Verify Require Import Theorem1 Vectors Motion Sequences Meaning Terms Citations Readable Extension.
 From Verify Require Import FromNumbers TheSet OneScene Interior PrintedSet.
 From Verify Require Parameters AllProved.
 From Verify Require SharperStep SharperCollapse Flow Sharper AsPrinted.
@@ -90,11 +90,7 @@ Proof.
 Qed.
 Lemma number x t : put numbers_in_it x = Some t ->
   sharper_values x = show SP AsPrinted.all_values values (read AsPrinted.the_table 400 t).
-Proof.
-  intros E. rewrite (read_right SP AsPrinted.the_order AsPrinted.the_table AsPrinted.the_table_is _ _
-    AsPrinted.all_right).
-  unfold sharper_values, after. now rewrite E.
-Qed.
+Proof. exact (substituted SP AsPrinted.the_order _ AsPrinted.the_table_is _ AsPrinted.all_right _ _ _ _). Qed.
 Lemma start_shown : AnyStep.has
   (SharperStep.numbers_of (after SS sharper_values SharperStep.start)) D s B1 B2.
 Proof.

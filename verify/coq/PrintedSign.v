@@ -19,14 +19,24 @@ Definition nearly_linear (d : nat) (r : R) (s : scene) (c tolerance : R) : Prop 
 Definition hypotheses_as_printed (r theta_0 delta_theta : R) : Prop :=
   0 < r < 9 - 4 * sqrt 5 /\ PI / 2 < theta_0 <= PI /\
   0 < - cos theta_0 < 2 * cube_root r * (1 + cube_root r) / (1 + r) /\ 0 < delta_theta.
-Definition as_printed : Prop :=
-  forall r theta_0 delta_theta d, (2 <= d)%nat -> hypotheses_as_printed r theta_0 delta_theta ->
+Definition as_printed_at (d : nat) (r theta_0 delta_theta : R) : Prop :=
   exists set, has_interior d set /\
     forall s, set s -> nearly_linear d r s (- cos theta_0) delta_theta.
+Definition as_printed : Prop :=
+  forall r theta_0 delta_theta d, (2 <= d)%nat -> hypotheses_as_printed r theta_0 delta_theta ->
+  as_printed_at d r theta_0 delta_theta.
 
 Definition printed_sign_theorem : Prop :=
   ~ as_printed /\
-  (* Such parameters, and that no scene at all collapses there as it is claimed. *)
+  (* It is false for all r and theta_0 that it admits, once delta_theta is so small that (4.10), as printed,
+     holds for - cos theta_0 + delta_theta, too: no scene with angular momentum collapses as it is claimed. *)
+  (forall d r theta_0 delta_theta, (2 <= d)%nat -> 0 < r < 1 ->
+    - cos theta_0 + delta_theta < 2 * cube_root r * (1 + cube_root r) / (1 + r) ->
+    ~ as_printed_at d r theta_0 delta_theta) /\
+  (forall d r s c delta_theta, 0 < r < 1 -> 0 < spin2 d s ->
+    c + delta_theta < 2 * cube_root r * (1 + cube_root r) / (1 + r) ->
+    ~ nearly_linear d r s c delta_theta) /\
+  (* For some of these parameters no scene at all does. *)
   (exists r theta_0 delta_theta, hypotheses_as_printed r theta_0 delta_theta /\
     - cos theta_0 + delta_theta < 4 * sqrt r / (1 + r)) /\
   (forall d r s c delta_theta, 0 < r < 1 -> c + delta_theta < 4 * sqrt r / (1 + r) ->

@@ -1,5 +1,5 @@
 (* Theorem 1 as printed, with < in (4.10), is false. *)
-From Coq Require Import Reals Arith Lra Lia.
+From Coq Require Import Reals Arith Lra Lia Classical.
 From Verify Require Import Theorem1 Vectors Motion Sequences Ending Parameters Classification Contacts.
 From Verify Require Import NoTriangle Settling Endless ClassificationProof PrintedSign.
 Open Scope R_scope.
@@ -29,16 +29,35 @@ Proof.
 Qed.
 
 Theorem least_final_angle d r s c tolerance : 0 < r < 1 -> nearly_linear d r s c tolerance ->
-  4 * sqrt r / (1 + r) <= c + tolerance.
+  4 * sqrt r / (1 + r) <= c + tolerance /\
+  (2 * cube_root r * (1 + cube_root r) / (1 + r) <= c + tolerance \/
+    spin2 d s = 0 /\ forall k l, (k < d)%nat -> (l < d)%nat -> spin s k l = 0).
 Proof.
   intros R0 (scenes & time & i & j & T & at_T & a & b & N & E & _ & D & W & S & A).
   assert (R : 0 < r <= 1) by lra.
   destruct (ends_touching d r s scenes time i j R E at_T B0 a b N S W) as (T1 & T2).
   pose proof (least d r s scenes time i j R E at_T S B0 a b N D W T1 T2) as L.
+  pose proof (second d r s scenes time i j R E at_T S B0 a b N D W T1 T2) as L2.
   assert (M : minus_cosine_at d at_T B0 a b = minus_cosine d at_T).
   { destruct D as (D1 & D2 & D3). unfold minus_cosine_at, minus_cosine.
     destruct a, b; try easy. now rewrite dot_symmetric, Rmult_comm. }
-  rewrite M in L. apply within in A. lra.
+  rewrite M in L, L2. apply within in A. split; [lra|]. destruct L2 as [L2|Z]; [left; lra | right].
+  split; [now apply (no_spin_at_rest d r s scenes time i j R E)|].
+  intros k l. now apply (spin_at_rest d r s scenes time i j R E).
+Qed.
+(* Near each scene one has angular momentum. *)
+Lemma some_spin d set : (2 <= d)%nat -> has_interior d set -> exists s, set s /\ spin s 0 1 <> 0.
+Proof.
+  intros L (s & e & E & I). apply NNPP. intros N.
+  set (near h g := {| position := fun b k => position s b k + if same b B1 then (if k then h else 0) else 0;
+    velocity := fun b k => velocity s b k + if same b B1 then (if k then 0 else g) else 0 |}).
+  assert (Z : forall h g, 0 <= h < e -> 0 <= g < e -> spin (near h g) 0 1 = 0).
+  { intros h g H G. apply NNPP. intros Q. apply N. exists (near h g). split; [apply I | exact Q].
+    intros b k _. unfold near. cbn. split; apply Rabs_def1; destruct same, k; lra. }
+  pose proof (Z 0 0 ltac:(lra) ltac:(lra)) as Z1. pose proof (Z 0 (e / 2) ltac:(lra) ltac:(lra)) as Z2.
+  pose proof (Z (e / 2) 0 ltac:(lra) ltac:(lra)) as Z3. pose proof (Z (e / 2) (e / 2) ltac:(lra) ltac:(lra)) as Z4.
+  pose proof (Rmult_lt_0_compat (e / 2) (e / 2) ltac:(lra) ltac:(lra)).
+  unfold spin, moment, to, relative, near in *. cbn in *. lra.
 Qed.
 
 Lemma cube_root_above x y : 0 < x -> x ^ 3 < y -> x < cube_root y.
@@ -69,6 +88,16 @@ Qed.
 Lemma none_there d r s c delta_theta : 0 < r < 1 -> c + delta_theta < 4 * sqrt r / (1 + r) ->
   ~ nearly_linear d r s c delta_theta.
 Proof. intros R L K. pose proof (least_final_angle d r s c delta_theta R K). lra. Qed.
+Lemma none_with_spin d r s c delta_theta : 0 < r < 1 -> 0 < spin2 d s ->
+  c + delta_theta < 2 * cube_root r * (1 + cube_root r) / (1 + r) -> ~ nearly_linear d r s c delta_theta.
+Proof. intros R S L K. pose proof (least_final_angle d r s c delta_theta R K). lra. Qed.
+Theorem false_at d r theta_0 delta_theta : (2 <= d)%nat -> 0 < r < 1 ->
+  - cos theta_0 + delta_theta < 2 * cube_root r * (1 + cube_root r) / (1 + r) ->
+  ~ as_printed_at d r theta_0 delta_theta.
+Proof.
+  intros D R L (set & I & A). destruct (some_spin d set D I) as (s & S & M).
+  destruct (least_final_angle d r s _ _ R (A s S)) as (_ & [K|(_ & K)]); [lra|]. apply M, K; lia.
+Qed.
 Theorem false_as_printed : ~ as_printed.
 Proof.
   intros P. destruct witness as (H & L).
@@ -78,7 +107,7 @@ Proof.
 Qed.
 Theorem printed_sign_theorem_holds : printed_sign_theorem.
 Proof.
-  split; [exact false_as_printed|]. split; [|split].
+  split; [exact false_as_printed|]. split; [exact false_at|]. split; [exact none_with_spin|]. split; [|split].
   - exists (3 / 100), (2 * (PI / 3)), (1 / 10). exact witness.
   - exact none_there.
   - exact collapse_is_nearly_linear.

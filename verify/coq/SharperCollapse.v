@@ -54,11 +54,7 @@ Lemma time_next n : time (S n) = time n + flight (at_step n).
 Proof. unfold time. rewrite next_state. exact (new_value _ Sharper.number_of_clock _ eq_refl). Qed.
 Lemma started x t : put start x = Some t ->
   after SS v start x = show SS Sharper.all_values v (read Sharper.the_table 400 t).
-Proof.
-  intros E. rewrite (read_right SS Sharper.the_order Sharper.the_table Sharper.the_table_is _ _
-    Sharper.all_right).
-  unfold after. now rewrite E.
-Qed.
+Proof. exact (substituted SS Sharper.the_order _ Sharper.the_table_is _ Sharper.all_right _ _ _ _). Qed.
 Lemma clock_starts : time O = 0.
 Proof. exact (started Sharper.number_of_clock _ eq_refl). Qed.
 Lemma flight_positive n : 0 < flight (at_step n).

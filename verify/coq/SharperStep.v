@@ -68,10 +68,7 @@ Proof.
       | exact (proj1 (C8 _ (1 + v Sharper.number_of_d)))
       | exact (proj2 (C8 _ (1 + v Sharper.number_of_d)))]|]).
     apply Forall_nil. }
-  rewrite <- the_standing_is in X. unfold satisfies. rewrite Forall_map in X. revert X.
-  apply Forall_impl. intros g.
-  apply (read_claim_right SS Sharper.the_order Sharper.the_table Sharper.the_table_is).
-  exact Sharper.all_right.
+  apply (givens_shown SS Sharper.the_order _ Sharper.the_table_is _ Sharper.all_right). now rewrite the_standing_is.
 Qed.
 
 (* --- what the certificate says of a state ------------------------------------------------------- *)
@@ -99,24 +96,12 @@ Definition flight : R := Sharper.tau vy vA vd.
 Definition new : valuation := after SS v next.
 Lemma new_value x t : put next x = Some t ->
   new x = show SS Sharper.all_values v (read Sharper.the_table 400 t).
-Proof.
-  intros E. rewrite (read_right SS Sharper.the_order Sharper.the_table Sharper.the_table_is _ _
-    Sharper.all_right).
-  unfold new, after. now rewrite E.
-Qed.
+Proof. exact (substituted SS Sharper.the_order _ Sharper.the_table_is _ Sharper.all_right _ _ _ _). Qed.
 
 Lemma before t : 0 <= t < flight -> scope SS Sharper.context_before (at_time v Sharper.number_of_s t).
-Proof.
-  intros T. eapply (at_a_time SS well Sharper.the_table Sharper.the_table_is _ Sharper.all_right);
-    [apply Nat.lt_0_succ | exact inside | vm_compute; reflexivity | vm_compute; reflexivity
-    | apply T | apply T].
-Qed.
+Proof. in_flight SS well Sharper.the_table_is Sharper.all_right inside. Qed.
 Lemma meanwhile t : 0 <= t <= flight -> scope SS Sharper.context_meanwhile (at_time v Sharper.number_of_t t).
-Proof.
-  intros T. eapply (at_a_time SS well Sharper.the_table Sharper.the_table_is _ Sharper.all_right);
-    [apply Nat.lt_0_succ | exact inside | vm_compute; reflexivity | vm_compute; reflexivity
-    | apply T | apply T].
-Qed.
+Proof. in_flight SS well Sharper.the_table_is Sharper.all_right inside. Qed.
 
 Theorem sharper_step : step_certified (numbers_of v) flight.
 Proof.

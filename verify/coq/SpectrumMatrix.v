@@ -101,7 +101,7 @@ Proof.
       by (apply same_vector; intros k; unfold combined, w1, w2, to; cbn; ring).
     repeat rewrite dot_linear. repeat rewrite dot_linear_right.
     rewrite unit_w1, unit_w2, half, half'. unfold g, a. field.
-  - apply same_vector. intros k. rewrite (relative_outer twice B1 B2). unfold combined.
+  - apply same_vector. intros k. rewrite (moves_from_o twice B0 B1 B2). unfold combined.
     destruct (twice_is k) as (A & B). rewrite A, B. ring.
 Qed.
 Lemma thrice_is k : relative (triple d r s) B0 B1 k = V1 k - 2 * h * a * w1 k - h * p * w2 k + h * g * (w2 k - w1 k) /\

@@ -2,7 +2,7 @@
    bounded, and the places converge. *)
 From Coq Require Import Reals List Arith Lra Lia Ranalysis.
 From Verify Require Import Theorem1 Vectors Motion Sequences InTurn Ending Classification Contacts.
-From Verify Require Import Settling Line LineProof Meaning Terms Readable Extension AnyStep.
+From Verify Require Import Settling Line LineProof Bounces Meaning Terms Readable Extension AnyStep.
 From Verify Require Import ThreeBalls ThreeBallsStep.
 From Verify Require Balls.
 Import ListNotations.
@@ -175,10 +175,7 @@ Lemma next_state n : at_step (S n) = new (at_step n).
 Proof. reflexivity. Qed.
 Lemma started x t : put start x = Some t ->
   at_step O x = show SB Balls.all_values the_values (read Balls.the_table 400 t).
-Proof.
-  intros P. rewrite (read_right SB Balls.the_order Balls.the_table Balls.the_table_is _ _ Balls.all_right).
-  unfold at_step, state, after. now rewrite P.
-Qed.
+Proof. exact (substituted SB Balls.the_order _ Balls.the_table_is _ Balls.all_right _ _ _ _). Qed.
 Lemma kept_value n x : put next x = None -> put start x = None -> at_step n x = the_values x.
 Proof.
   intros N P. unfold at_step. induction n as [|n IH]; cbn [state]; unfold after; [now rewrite P|].
@@ -385,11 +382,9 @@ Qed.
 Theorem three_equal_balls_holds : three_equal_balls.
 Proof.
   intros d r w Y k E G U_most C_0 Theta z Q_0 U_0 s R mass radius same_r C O S.
-  assert (M : forall b, 0 < mass b) by (intros; unfold mass; lra).
-  assert (P : forall b, 0 < radius b) by (intros; unfold radius; lra).
   assert (R' : forall b, 0 < same_r b <= 1) by (intros; unfold same_r; lra).
   assert (D : distinct_balls B0 B1 B2) by (repeat split; discriminate).
-  destruct (three_balls_theorem_holds d mass radius same_r B0 B1 B2 w Y k E G U_most C_0 Theta z Q_0 U_0 s M P R' D C O S)
+  destruct (three_balls_theorem_holds d mass radius same_r B0 B1 B2 w Y k E G U_most C_0 Theta z Q_0 U_0 s one_positive half_positive R' D C O S)
     as (x & t & T & at_T & Z0 & T0 & I & L & B & _ & _ & _ & V & W).
   pose proof (in_turn_collapses d r R x t T T0 (equal_in_turn d r x t I) L) as N. rewrite Z0 in N.
   do 5 eexists. split; [exact N|]. split; [exact B|].

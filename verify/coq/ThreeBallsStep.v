@@ -1,153 +1,11 @@
-(* One collision of three balls of any masses and radii, by the certificate of the collapse theorem for
-   them: in units of the distances of contact the inner products are those of AnyStep.v, with another
-   share of the speed of impact. *)
+(* The states of the collapse of three balls of any masses and radii: the numbers of each satisfy what
+   AnyStep.v asks for, and the certificate's next state is the one there. *)
 From Coq Require Import Reals List Lra Lia.
 From Verify Require Import Theorem1 Vectors Motion Meaning Terms Checker Readable Extension.
-From Verify Require Import Classification Contacts Line LineProof AnyStep ThreeBalls.
+From Verify Require Import AnyStep ThreeBalls.
 From Verify Require Gram Balls.
 Import ListNotations.
 Open Scope R_scope.
-
-(* --- a flight and a collision -------------------------------------------------------------------- *)
-
-Lemma farther D s i j x : 0 <= x -> x ^ 2 < square D s i j -> x < distance D s i j.
-Proof.
-  intros P Q. rewrite <- (sqrt_pow2 x P). unfold distance. apply sqrt_lt_1; [apply pow2_ge_0 | apply dot_self | exact Q].
-Qed.
-Lemma as_far D s i j x : 0 <= x -> square D s i j = x ^ 2 -> distance D s i j = x.
-Proof. intros P Q. unfold distance. unfold square in Q. rewrite Q. now apply sqrt_pow2. Qed.
-
-Section BallsFlight.
-Variable D : nat.
-Variables mass radius : ball -> R.
-Variable r : R.
-Hypothesis heavy : forall b, 0 < mass b.
-Hypothesis round : forall b, 0 < radius b.
-
-Variables o i j : ball.  (* i has just met o, and j is next *)
-Hypothesis distinct : distinct_balls o i j.
-Notation si := (radius o + radius i).
-Notation sj := (radius o + radius j).
-
-(* In units of the distances of contact, the scene has these numbers. *)
-Definition seen (m : numbers) (x : scene) (i j : ball) : Prop := exists p q s c,
-  to x o i = scaled (radius o + radius i) p /\ relative x o i = scaled (radius o + radius i) s /\
-  to x o j = scaled ((radius o + radius j) * (1 + d m)) q /\ relative x o j = scaled (radius o + radius j) c /\
-  products m D p q s c.
-Lemma cosine_seen m x : seen m x i j -> 0 < 1 + d m -> minus_cosine_at D x o i j = C m.
-Proof.
-  intros (p & q & s & c & X1 & _ & X2 & _ & [P Q PQ _ _ _ _ _ _ _]) F. unfold minus_cosine_at.
-  pose proof (round o). pose proof (round i). pose proof (round j).
-  assert (0 < sj * (1 + d m)) by (apply Rmult_lt_0_compat; lra).
-  assert (E1 : distance D x o i = si).
-  { apply as_far; [lra|]. unfold square. rewrite X1, dot_scaled, dot_scaled_right, P. ring. }
-  assert (E2 : distance D x o j = sj * (1 + d m)).
-  { apply as_far; [lra|]. unfold square. rewrite X2, dot_scaled, dot_scaled_right, Q. ring. }
-  rewrite E1, E2, X1, X2, dot_scaled, dot_scaled_right, PQ. field. repeat split; lra.
-Qed.
-
-Variable m : numbers.
-Variable t : R.
-Definition outer_of_balls (u : R) : Prop := (radius i + radius j) ^ 2 <
-  si ^ 2 * (1 + u * eta_s m + u * eta_s m + u * u * B m)
-  - 2 * si * sj * ((1 + d m) * - C m + u * (a m + (1 + d m) * b m) + u * u * w m)
-  + sj ^ 2 * ((1 + d m) * (1 + d m) + (1 + d m) * u * - y m + u * (1 + d m) * - y m + u * u * A m).
-Hypothesis certified : certified_if m t outer_of_balls.
-Variable x : scene.
-Hypothesis shown_by : seen m x i j.
-
-Lemma squares_of_balls u :
-  square D (later u x) o i = si ^ 2 * (1 + u * eta_s m + u * eta_s m + u * u * B m) /\
-  square D (later u x) o j = sj ^ 2 * ((1 + d m) * (1 + d m) + (1 + d m) * u * - y m + u * (1 + d m) * - y m + u * u * A m) /\
-  square D (later u x) i j =
-    si ^ 2 * (1 + u * eta_s m + u * eta_s m + u * u * B m)
-    - 2 * si * sj * ((1 + d m) * - C m + u * (a m + (1 + d m) * b m) + u * u * w m)
-    + sj ^ 2 * ((1 + d m) * (1 + d m) + (1 + d m) * u * - y m + u * (1 + d m) * - y m + u * u * A m).
-Proof.
-  destruct shown_by as (p & q & s & c & X1 & X2 & X3 & X4 & G).
-  pose proof (square_behind m D _ _ _ _ G u) as S1. pose proof (square_ahead m D _ _ _ _ G u) as S2.
-  pose proof (product_between m D _ _ _ _ G u) as S3.
-  assert (E1 : to (later u x) o i = scaled si (combined 1 p u s)).
-  { rewrite to_later, X1, X2. apply same_vector. intros n. unfold combined, scaled. ring. }
-  assert (E2 : to (later u x) o j = scaled sj (combined (1 + d m) q u c)).
-  { rewrite to_later, X3, X4. apply same_vector. intros n. unfold combined, scaled. ring. }
-  assert (E3 : to (later u x) i j = combined (- si) (combined 1 p u s) sj (combined (1 + d m) q u c)).
-  { replace (to (later u x) i j) with (combined (-1) (to (later u x) o i) 1 (to (later u x) o j))
-      by (apply same_vector; intros n; unfold combined, to; ring).
-    rewrite E1, E2. apply same_vector. intros n. unfold combined, scaled. ring. }
-  unfold square. rewrite E1, E2, E3. split; [|split].
-  - rewrite dot_scaled, dot_scaled_right, S1. ring.
-  - rewrite dot_scaled, dot_scaled_right, S2. ring.
-  - rewrite square_of_combined, S1, S2, S3. ring.
-Qed.
-Lemma impact_of_balls : exists p q s c, to x o i = scaled si p /\ relative x o i = scaled si s /\
-  relative x o j = scaled sj c /\ products m D p q s c /\
-  to (later t x) o j = scaled sj (combined (1 + d m) q t c) /\
-  rate D (later t x) o j = sj ^ 2 * impact m t.
-Proof.
-  destruct shown_by as (p & q & s & c & X1 & X2 & X3 & X4 & G). exists p, q, s, c.
-  assert (E2 : to (later t x) o j = scaled sj (combined (1 + d m) q t c)).
-  { rewrite to_later, X3, X4. apply same_vector. intros n. unfold combined, scaled. ring. }
-  repeat (split; [assumption|]). unfold rate. rewrite E2, relative_later, X4, dot_scaled, dot_scaled_right,
-    (rate_ahead m t D _ _ _ _ G). ring.
-Qed.
-
-Theorem balls_meet : meets_next D radius x o j t.
-Proof.
-  pose proof (round o). pose proof (round i). pose proof (round j).
-  pose proof (takes_time _ _ _ certified) as F. pose proof (recedes _ _ _ certified) as E.
-  assert (PI : 0 < si ^ 2) by (apply pow_lt; lra). assert (PJ : 0 < sj ^ 2) by (apply pow_lt; lra).
-  assert (Ai : forall u, 0 < u <= t -> si < distance D (later u x) o i).
-  { intros u U. destruct (squares_of_balls u) as (Q & _). apply farther; [lra|]. rewrite Q.
-    pose proof (spectator_apart _ _ _ certified u ltac:(lra)) as S.
-    assert (0 < u * eta_s m) by (apply Rmult_lt_0_compat; lra).
-    rewrite <- (Rmult_1_r (si ^ 2)) at 1. apply Rmult_lt_compat_l; lra. }
-  assert (Ao : forall u, 0 < u <= t -> radius i + radius j < distance D (later u x) i j).
-  { intros u U. destruct (squares_of_balls u) as (_ & _ & Q). apply farther; [lra|]. rewrite Q.
-    apply (outer_apart _ _ _ certified). lra. }
-  split; [exact F|]. split; [|split; [|split]].
-  - intros u k l U N. revert k l N. apply (any_of_three _ o i j distinct).
-    + intros k l B. rewrite distance_symmetric, Rplus_comm. exact B.
-    + apply Ai. lra.
-    + destruct (squares_of_balls u) as (_ & Q & _). apply farther; [lra|]. rewrite Q.
-      rewrite <- (Rmult_1_r (sj ^ 2)) at 1. apply Rmult_lt_compat_l; [exact PJ|].
-      apply (colliding_apart _ _ _ certified). lra.
-    + apply Ao. lra.
-  - destruct (squares_of_balls t) as (_ & Q & _). apply as_far; [lra|]. rewrite Q, (touching _ _ _ certified). ring.
-  - destruct impact_of_balls as (_ & _ & _ & _ & _ & _ & _ & _ & _ & ->). pose proof (approaching _ _ _ certified).
-    assert (0 < sj ^ 2 * - impact m t) by (apply Rmult_lt_0_compat; lra). lra.
-  - intros k N1 N2. destruct distinct as (D1 & D2 & D3). assert (k = i) as -> by (destruct o, i, j, k; congruence).
-    split; [apply Ai; lra|]. rewrite distance_symmetric, Rplus_comm. apply Ao. lra.
-Qed.
-Theorem balls_after :
-  seen (after_sharing (share_of mass radius (fun _ => r) o j i) r m t) (bounced D mass r o j (later t x)) j i.
-Proof.
-  pose proof (round o). pose proof (round i). pose proof (round j). pose proof (heavy o). pose proof (heavy j).
-  pose proof (far_after _ _ _ certified) as F. destruct distinct as (N1 & N2 & N3).
-  destruct impact_of_balls as (p & q & s & c & X1 & X2 & X4 & G & Omega & Rate).
-  assert (Far : distance D (later t x) o j = sj).
-  { destruct (squares_of_balls t) as (_ & Q & _). apply as_far; [lra|]. rewrite Q, (touching _ _ _ certified). ring. }
-  set (kappa := impact m t) in *. set (share := share_of mass radius (fun _ => r) o j i).
-  exists (combined (1 + d m) q t c), (combined (1 / reach m t) p (t / reach m t) s),
-    (combined 1 c (- ((1 + r) * kappa)) (combined (1 + d m) q t c)),
-    (combined 1 s (- (share * kappa)) (combined (1 + d m) q t c)).
-  split; [exact Omega|]. split; [|split; [|split]].
-  - apply same_vector. intros n. transitivity (relative x o j n -
-      (1 + r) * rate D (later t x) o j / distance D (later t x) o j ^ 2 * to (later t x) o j n).
-    + unfold relative, bounced. cbn [velocity]. rewrite !same_true, (same_false j o) by congruence.
-      cbn [later velocity]. rewrite Far. field. split; lra.
-    + rewrite Far, Rate, Omega, X4. unfold scaled, combined. field. lra.
-  - replace (1 + d (after_sharing share r m t)) with (reach m t) by (unfold after_sharing; cbn [d]; ring).
-    change (to (bounced D mass r o j (later t x)) o i) with (to (later t x) o i). rewrite to_later, X1, X2.
-    apply same_vector. intros n. unfold combined, scaled. field. lra.
-  - apply same_vector. intros n. transitivity (relative x o i n - mass j *
-      ((1 + r) * rate D (later t x) o j / distance D (later t x) o j ^ 2 / (mass o + mass j)) * to (later t x) o j n).
-    + unfold relative, bounced. cbn [velocity]. rewrite !same_true, (same_false i o), (same_false i j) by congruence.
-      cbn [later velocity]. ring.
-    + rewrite Far, Rate, Omega, X2. unfold scaled, combined, share, share_of, reach_of. field. repeat split; lra.
-  - exact (products_next share r m t D _ _ _ _ G _ certified).
-Qed.
-End BallsFlight.
 
 (* --- the states of the certificate --------------------------------------------------------------- *)
 
@@ -194,10 +52,7 @@ Proof.
       | exact (proj1 (C8 _ (1 + v Balls.number_of_d))) | exact (proj2 (C8 _ (1 + v Balls.number_of_d)))
       | exact Approaches | exact Meets]|]).
     apply Forall_nil. }
-  rewrite <- the_standing_is in X. unfold satisfies. rewrite Forall_map in X. revert X.
-  apply Forall_impl. intros g.
-  apply (read_claim_right SB Balls.the_order Balls.the_table Balls.the_table_is).
-  exact Balls.all_right.
+  apply (givens_shown SB Balls.the_order _ Balls.the_table_is _ Balls.all_right). now rewrite the_standing_is.
 Qed.
 
 Ltac row_of w is_row inside :=
@@ -222,25 +77,13 @@ Definition flight : R := Balls.tau vy vA vd.
 Definition new : valuation := after SB v next.
 Lemma new_value x t : put next x = Some t ->
   new x = show SB Balls.all_values v (read Balls.the_table 400 t).
-Proof.
-  intros E. rewrite (read_right SB Balls.the_order Balls.the_table Balls.the_table_is _ _
-    Balls.all_right).
-  unfold new, after. now rewrite E.
-Qed.
+Proof. exact (substituted SB Balls.the_order _ Balls.the_table_is _ Balls.all_right _ _ _ _). Qed.
 Lemma mapped_next : here new = mapped (alpha_here v) (rho_here v) (v Balls.number_of_r_c * v Balls.number_of_G) (here v).
 Proof. rewrite (new_value Balls.number_of_Q _ eq_refl), (new_value Balls.number_of_U _ eq_refl). reflexivity. Qed.
 Lemma before t : 0 <= t < flight -> scope SB Balls.context_before (at_time v Balls.number_of_s t).
-Proof.
-  intros T. eapply (at_a_time SB well Balls.the_table Balls.the_table_is _ Balls.all_right);
-    [apply Nat.lt_0_succ | exact inside | vm_compute; reflexivity | vm_compute; reflexivity
-    | apply T | apply T].
-Qed.
+Proof. in_flight SB well Balls.the_table_is Balls.all_right inside. Qed.
 Lemma meanwhile t : 0 <= t <= flight -> scope SB Balls.context_meanwhile (at_time v Balls.number_of_t t).
-Proof.
-  intros T. eapply (at_a_time SB well Balls.the_table Balls.the_table_is _ Balls.all_right);
-    [apply Nat.lt_0_succ | exact inside | vm_compute; reflexivity | vm_compute; reflexivity
-    | apply T | apply T].
-Qed.
+Proof. in_flight SB well Balls.the_table_is Balls.all_right inside. Qed.
 Theorem balls_step radius o i j : v Balls.number_of_sigma_s = radius o + radius i ->
   v Balls.number_of_sigma_c = radius o + radius j -> v Balls.number_of_sigma_12 = radius i + radius j ->
   certified_if (numbers_of v) flight (outer_of_balls radius o i j (numbers_of v)).

@@ -61,9 +61,9 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
         "finite-length": ("Settling.settles_in_time",),
         "glue-next": (
             "ThreeBallsStep.balls_step",
-            "ThreeBallsStep.balls_meet",
-            "ThreeBallsStep.balls_after",
-            "LineProof.bounced_parts",
+            "AnyStep.balls_meet",
+            "AnyStep.balls_after",
+            "Bounces.bounced_parts",
             "ThreeBallsStep.new_numbers",
         ),
         "glue-stairs": ("ThreeBallsMap.stair_theorem_holds",),

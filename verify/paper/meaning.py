@@ -11,8 +11,8 @@ MEANING = (
         "collided does not collide again, so that nothing follows after 0-1, 0-2 and 1-2."),
     Remark("EQUATSS3.5Minor_z'__Triag",
         "The cone asks that 0-1 and 0-2 take place, and forgets to ask it of 1-2. With all three "
-        "conditions the image has x' > 0 and z' > 0 for every r in ]0,1[, and 1-2 recedes as well: "
-        "in the linear model not even one collision follows."),
+        "conditions the image has x' > 0 and z' > 0 for every r in (0, 1), and 1-2 recedes as "
+        "well: in the linear model not even one collision follows."),
     Remark("THEORSS3.5SpectMatricVitLm",
         "The spectrum is right as algebra; the matrix describes a limit that no orbit has."),
     Remark("DEFINSS3.5CollapseTriangu",

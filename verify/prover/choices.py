@@ -69,7 +69,7 @@ def chosen(statement: Statement, choices: Mapping[str, Choice]) -> Statement:
         choice = choices.get(constant.name)
         found.append(constant if choice is None else choose(ground, choice))
         if not ground.define(found[-1]):
-            raise BudgetError(f"{constant.name} has no value at {ground.max_bits} bits")
+            raise BudgetError(f"{constant.name} {ground.why_no_value(constant.term)}")
     return statement._replace(constants=tuple(found[len(statement.parameters) :]))
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from verify.language.fold import fails, holds
 from verify.language.statement import PROVED, REFUTED, Constant
-from verify.language.terms import Claim, Term, as_term
+from verify.language.terms import Claim, Term, as_term, parts_of
 from verify.prover import balls
 from verify.prover.decimals import enclosing_decimals
 from verify.prover.outcome import Enclosure, Ends
@@ -163,6 +163,22 @@ class Constants:
             f"has no value at {self.max_bits} bits; "
             "look for a divisor that is 0, or a root or logarithm of a negative number"
         )
+
+    def why_no_value(self, term: Term) -> str:
+        """The message about a term that has no enclosure: what it cannot have a value for."""
+        for part in parts_of(term):
+            if part.op in ("sqrt", "root", "log") and self._first_sign(part.children[0]) < 0:
+                kind = "logarithm" if part.op == "log" else "root"
+                return f"has no value: it has the {kind} of a negative number"
+            if part.op in ("div", "log") and self.exact(part.children[-1]) == 0:
+                what = "it divides by 0" if part.op == "div" else "it has the logarithm of 0"
+                return f"has no value: {what}"
+        return self.no_value
+
+    def _first_sign(self, term: Term) -> int:
+        """The sign of a term, if one precision shows it; else 0."""
+        ball = self.ball(term, 8 * self.start_bits)
+        return 0 if ball is None else balls.strict_sign(ball)
 
     def enclose(self, *terms: Term) -> Enclosure | None:
         """Decimal ends around values, outside those that the checker will compute."""

@@ -145,7 +145,9 @@ def _undefined(constant: Constant, universal: Universal) -> str:
     ground = universal.ground
     if universal.lengths.is_too_long((constant.term,), ground.definitions):
         return f"{constant.name}: {TOO_LONG}"
-    return "" if ground.define(constant) else f"{constant.name} {ground.no_value}"
+    return (
+        "" if ground.define(constant) else f"{constant.name} {ground.why_no_value(constant.term)}"
+    )
 
 
 def _unopened(context: Context, universal: Universal, opens: Opens) -> str:

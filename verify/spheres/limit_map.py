@@ -43,7 +43,7 @@ LARGEST_POWER = 1 << 13
 
 
 class Parameters(Record):
-    """r in ]0,1[, -cos of the angle in ]0,1], and the ratio rho > 0, all exact."""
+    """r in (0, 1), -cos of the angle in (0, 1], and the ratio rho > 0, all exact."""
 
     r: Fraction
     neg_cos: Fraction

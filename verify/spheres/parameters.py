@@ -14,32 +14,38 @@ _PI = r"(?:([0-9][0-9.eE/+-]*)\*?)?(?:pi|π)(?:/([0-9]+))?"
 _DEGREES = r"([0-9][0-9.eE/+-]*) ?(?:deg|degrees|°)"
 
 
-def restitution(text: str) -> Fraction:
-    """Read a restitution coefficient in ]0,1[.
+def restitution(text: str, *, elastic: bool = False) -> Fraction:
+    """Read a restitution coefficient in (0, 1), or 1 where collisions may be ``elastic``.
 
     Raises:
         InputError: for any other text.
     """
     r = rational("--r", text)
-    if not 0 < r < 1:
-        raise InputError(f"--r: {shown(text)} is not in ]0,1[; write for example 0.03")
+    if not 0 < r < 1 and not (elastic and r == 1):
+        where = "(0, 1]" if elastic else "(0, 1)"
+        known = ELASTIC if r == 1 else ""
+        raise InputError(f"--r: {shown(text)} is not in {where}; write for example 0.03{known}")
     return r
 
 
+#: What is known at r = 1, where nothing collapses.
+ELASTIC = "; what is proved at 1 is told by verify classification --r 1"
+
+
 def neg_cos(text: str) -> Fraction:
-    """Read -cos of the angle, in ]0,1].
+    """Read -cos of the angle, in (0, 1].
 
     Raises:
         InputError: for any other text.
     """
     value = rational("--neg-cos", text)
     if not 0 < value <= 1:
-        raise InputError(f"--neg-cos: {shown(text)} is not in ]0,1]; write for example 9/10")
+        raise InputError(f"--neg-cos: {shown(text)} is not in (0, 1]; write for example 9/10")
     return value
 
 
 def angle(option: str, text: str) -> Term:
-    """Read an angle in ]pi/2, pi] and return -cos of it as a term.
+    """Read an angle in (pi/2, pi] and return -cos of it as a term.
 
     The angle is a multiple of pi (``pi``, ``5pi/6``, ``0.9*pi``, ``π``), in degrees (``150deg``,
     ``150°``), or in radians; it is exactly what is written. Where its cosine is rational the term
@@ -88,13 +94,13 @@ def _positive(option: str, text: str, number: int) -> int:
 
 
 def _outside(option: str, text: str) -> str:
-    return f"{option}: {shown(text)} is not in ]pi/2, pi]; write an obtuse angle such as 5pi/6"
+    return f"{option}: {shown(text)} is not in (pi/2, pi]; write an obtuse angle such as 5pi/6"
 
 
 def are_allowed(parameters: Mapping[str, Term]) -> bool:
     """Whether each parameter has a form and a value that the program takes.
 
-    r in ]0,1[, V_0 > 0 and delta_theta > 0 are rationals; c is a rational in ]0,1], or
+    r in (0, 1), V_0 > 0 and delta_theta > 0 are rationals; c is a rational in (0, 1], or
     -cos_pi(q) with 1/2 < q <= 1, or -cos(q) with pi/2 < q <= pi, for a rational q.
     """
     if parameters.keys() != {"r", "c", "V_0", "delta_theta"}:

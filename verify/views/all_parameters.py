@@ -34,7 +34,7 @@ CLAIM = (
     "that free flight reaches from this set before the collision 0-2 go on in the same way; their "
     "set has interior points."
 )
-THEOREM = f"Theorem 1, given these sentences. {CLAIM}"
+THEOREM = f"Theorem 1, given these assumptions. {CLAIM}"
 
 
 def screen(
@@ -58,7 +58,7 @@ def screen(
     yield ""
     yield f"Rows: {words.counts(outcome, 'needed')}"
     yield f"The step, for every state, is {words.cited_as(cite, paper)}"
-    yield f"{words.believed(outcome, paper)} The sentences: -v."
+    yield f"{words.believed(outcome, paper)} Their text: -v."
     yield MORE
     yield ""
     if outcome.verdict == PROVED:

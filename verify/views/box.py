@@ -15,6 +15,7 @@ from verify.publication import REPAIRED, Publication
 from verify.views.all_parameters import THEOREM
 from verify.views.document import assumption_document, claims_document
 from verify.views.findings import Answer, ParameterBox, ScannedPoint
+from verify.views.restitution import without_interior
 from verify.views.words import DOES_NOT_APPLY, believed, given, in_letters
 
 FORMAT = "verify-theorem1-box/1"
@@ -27,13 +28,14 @@ def screen(answer: Answer, paper: Publication) -> Iterator[str]:
     yield ""
     if answer.verdict == REFUTED:
         yield "The stability condition fails at each of these points."
+        yield from (f"Known there: {line}" for line in without_interior(answer.box.r[0]))
         yield ""
         yield f"Verdict: refuted: {in_letters(answer.outcome.statement.title)}"
         return
     where = "all points" if answer.verdict == PROVED else "all points of the certified part"
     yield f"The hypotheses are compared at a corner; by monotony they hold at {where}."
     yield "The constants are the unrounded minima of Theorem 1 for all parameters."
-    yield f"{believed(answer.outcome, paper)} The sentences: -v."
+    yield f"{believed(answer.outcome, paper)} Their text: -v."
     yield ""
     yield THEOREM
     yield ""

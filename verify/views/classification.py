@@ -11,13 +11,15 @@ from verify.prover.outcome import Outcome
 from verify.publication import Publication
 from verify.views.document import claims_document, pair
 from verify.views.findings import AtMasses, AtR
+from verify.views.restitution import UNLESS
 from verify.views.words import summary
 
 FORMAT = "verify-classification/1"
 
 SETTING = (
     "Balls with any masses and radii in any dimension, and any restitution 0 ≤ ρ' ≤ -ρ at each "
-    "collision, unless said otherwise; no triple contact. Apparently new; no priority is claimed."
+    "collision, unless said otherwise; no triple contact: no ball that collides touches a third "
+    "one. Apparently new; no priority is claimed."
 )
 
 THEOREMS = (
@@ -33,12 +35,12 @@ THEOREMS = (
         "radii the two others do not touch at the limit."
     ),
     (
-        "II. Three balls of equal mass, one r in ]0,1]. In every collapse the limiting -cos θ is "
-        "at least 4√r/(1+r). So for r > 7-4√3 = 0.0717… they never collapse, and by IV almost "
-        "every datum has finitely many collisions. A run in which one ball meets two others in "
-        "turn, with no other collision of the three meanwhile, has at most n collisions, n ≥ 1 the "
-        "least number with s_n ≤ 0, where s_0 = 0, s_1 = 1, s_{n+1} = (1+r)/2 s_n - r s_{n-1}; on "
-        "a line this is attained. For r ≤ 7-4√3 there is no such n, and runs have any length."
+        "II. Three balls of equal mass, one r with 0 < r ≤ 1. In every collapse the limiting "
+        "-cos θ is at least 4√r/(1+r). So for r > 7-4√3 = 0.0717… they never collapse, and by IV "
+        "almost every datum has finitely many collisions. A run in which one ball meets two others "
+        "in turn, with no other collision of the three meanwhile, has at most n collisions, n ≥ 1 "
+        "the least number with s_n ≤ 0, where s_0 = 0, s_1 = 1, s_{n+1} = (1+r)/2 s_n - r s_{n-1}; "
+        "on a line this is attained. For r ≤ 7-4√3 there is no such n, and runs have any length."
     ),
     (
         "II b. Equal masses and one r, as in II. In a collapse in which the velocities of the two "
@@ -57,11 +59,11 @@ THEOREMS = (
         "then in the same frame A ≤ 0 always, velocities tend to 0, positions converge, and the "
         "angular momentum L is 0; what I and II say of a collapse holds as the time tends to "
         "infinity. So with L ≠ 0 there is exactly one of: finitely many collisions; or a collapse "
-        "in finite time, as in I and, for equal masses, II. For equal masses and one r in "
-        "]7-4√3, 1] it is the first, whatever L."
+        "in finite time, as in I and, for equal masses, II. For equal masses and one r with "
+        "7-4√3 < r ≤ 1 it is the first, whatever L."
     ),
     (
-        "IV b. With angular momentum. For equal masses and one r in ]9-4√5, 1], L ≠ 0 leaves "
+        "IV b. With angular momentum. For equal masses and one r with 9-4√5 < r ≤ 1, L ≠ 0 leaves "
         "finitely many collisions: at a collapse velocities would tend to 0 in that frame, by "
         "II b, and L with them."
     ),
@@ -78,7 +80,7 @@ def meaning_lines(remarks: Iterable[tuple[str, str]], paper: Publication) -> Ite
 def theorem_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """The theorems in words, if they are proved, and the verdict."""
     if outcome.verdict == PROVED:
-        yield f"Given what is taken on trust. {SETTING}"
+        yield f"Given the assumptions. {SETTING}"
         yield from THEOREMS
         yield ""
     yield f"Verdict: {summary(outcome, paper)}"
@@ -86,26 +88,31 @@ def theorem_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
 
 def restitution_lines(found: AtR) -> Iterator[str]:
     """What the theorems say at one r, for three balls of equal mass."""
-    yield f"At r = {exact_number(found.r)}, three balls of equal mass"
-    yield f"  the final -cos θ of a collapse is at least 4√r/(1+r) = {short(found.least_neg_cos)}"
+    kind = " (elastic collisions)" if found.r == 1 else ""
+    yield f"At r = {exact_number(found.r)}{kind}, three balls of equal mass"
+    if found.excluded:
+        yield f"  no collapse, by II: finitely many collisions{UNLESS}"
+    else:
+        yield (
+            "  a collapse is not excluded; in each the final -cos θ is at least 4√r/(1+r) = "
+            f"{short(found.least_neg_cos)}, by II"
+        )
+    if found.comes_to_rest and not found.excluded:
+        yield (
+            "  as r > 9-4√5, both velocities relative to the middle ball tend to 0 in it, and the "
+            "angular momentum about the centre of mass is 0, by II b and IV b: in dimension 2 or "
+            "more no set with interior consists of states that collapse"
+        )
     if found.undecided:
         yield "  a longest run exists, but the work budget does not suffice to count it"
     elif found.longest is None:
-        yield "  runs have any length: on a line one ball meets two others without end"
+        yield "  runs have any length: on a line one ball meets two others in turn without end"
     else:
         yield (
-            f"  one ball meets two others in turn at most {found.longest} times; on a line this is "
+            f"  one ball meets two others in turn at most {found.longest} times, as long as the "
+            "three have no other collision meanwhile, and no triple contact; on a line this is "
             "attained"
         )
-    if found.excluded:
-        yield "  no collapse: finitely many collisions, or a triple contact"
-    else:
-        yield "  a collapse is not excluded, with a final -cos θ not below that bound"
-        if found.comes_to_rest:
-            yield (
-                "  as r > 9-4√5, both velocities relative to the middle ball tend to 0 in it, as "
-                "on a line: the angular momentum about the centre of mass is 0"
-            )
 
 
 def masses_lines(found: AtMasses) -> Iterator[str]:
@@ -124,9 +131,12 @@ def masses_lines(found: AtMasses) -> Iterator[str]:
         else:
             yield f"  a collapse about ball {one.ball} is not excluded {most}"
     if all(one.excluded for one in found.middles):
-        yield "  no collapse: finitely many collisions, or a triple contact"
+        yield f"  no collapse: finitely many collisions{UNLESS}"
     elif all(one.comes_to_rest for one in found.middles):
-        yield "  with angular momentum finitely many collisions, or a triple contact"
+        yield (
+            "  unless the angular momentum about the centre of mass is 0, no collapse: finitely "
+            f"many collisions{UNLESS}"
+        )
     yield "  given certificates/classification-of-balls"
 
 

@@ -39,10 +39,18 @@ from verify.views.words import (
 Row = tuple[Obligation, Decision]
 
 
-def explain(outcome: Outcome, name: str, paper: Publication, *, exact: bool = False) -> list[str]:
+def explain(
+    outcome: Outcome,
+    name: str,
+    paper: Publication,
+    *,
+    exact: bool = False,
+    has_proof: bool = True,
+) -> list[str]:
     """The lines about a row or a lemma of what the checker has accepted; none without such a name.
 
     A row is found by its name, with or without its group. Claims are simplified if not ``exact``.
+    Without ``has_proof`` only what is claimed, and the verdict.
     """
     found, outcome = nodes(outcome), exactly(outcome)
     rows = {row.name: (row, decision) for row, decision in outcome.rows}
@@ -51,7 +59,8 @@ def explain(outcome: Outcome, name: str, paper: Publication, *, exact: bool = Fa
     text: list[str] = []
     for key in full or ([name] if name in found else []):
         if key in found:
-            text += _about(found[key], rows, found, typesetter, paper)
+            text += _claimed(found[key], rows, typesetter, paper)
+            text += _proved(found[key], rows, found, typesetter, paper) if has_proof else []
         else:
             text += _undecided(*rows[key], typesetter, paper)
     return text
@@ -80,27 +89,23 @@ def _said(row: Obligation, paper: Publication) -> Iterator[str]:
 def _undecided(
     row: Obligation, decision: Decision, typesetter: Typesetter, paper: Publication
 ) -> Iterator[str]:
-    yield f"obligation {row.name}"
+    yield f"{decision.verdict}: obligation {row.name}"
     yield from _said(row, paper)
-    yield f"  {decision.verdict}, so that there is no proof"
+    yield "  there is no proof"
     yield f"  {typesetter.claim(row.claim)}"
 
 
-def _about(
-    node: Node,
-    rows: Mapping[str, Row],
-    found: dict[str, Node],
-    typesetter: Typesetter,
-    paper: Publication,
+def _claimed(
+    node: Node, rows: Mapping[str, Row], typesetter: Typesetter, paper: Publication
 ) -> Iterator[str]:
     row = rows.get(node.name)
     where = "" if node.context is None else f", for all values of the context {node.context}"
-    yield f"{node.kind} {node.name}{where}"
+    verdict = "" if row is None else f"{row[1].verdict}: "
+    yield f"{verdict}{node.kind} {node.name}{where}"
     if row is not None:
         yield from _said(row[0], paper)
         what = "what is written here" if row[1].verdict == PROVED else "the proof of the opposite"
-        by = f"{row[1].verdict} by the rule {row[1].method}"
-        yield f"  {by}: {what} is accepted by {row[1].judge}"
+        yield f"  by the rule {row[1].method}: {what} was accepted by {row[1].judge}"
     elif node.proof is not None:
         yield f"  by the rule {rule_of(node.proof)}"
     yield f"  {typesetter.claim(node.claim)}"
@@ -108,7 +113,16 @@ def _about(
         sides = sides_of(*row)
         if sides is not None:
             yield f"  {sides_named(*sides)}"
-    proved = node.claim
+
+
+def _proved(
+    node: Node,
+    rows: Mapping[str, Row],
+    found: dict[str, Node],
+    typesetter: Typesetter,
+    paper: Publication,
+) -> Iterator[str]:
+    row, proved = rows.get(node.name), node.claim
     if row is not None and row[1].verdict == REFUTED and not isinstance(node.proof, Witness):
         opposite = negation(proved) if isinstance(proved, Claim) else None
         if opposite is not None:

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
+from verify.language.record import TYPE_CHECKING
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Obligation
 from verify.language.terms import Term
 from verify.prover.decimals import decimal_text as decimal
@@ -29,6 +30,9 @@ from verify.publication import (
     Publication,
 )
 from verify.views import words
+
+if TYPE_CHECKING:
+    from verify.prover.balls import Ball
 
 #: Digits of a number that is rounded to the safe side.
 SAFE_DIGITS = 6
@@ -76,18 +80,12 @@ def threshold(outcome: Outcome, hypothesis: str) -> str:
     r = outcome.statement.parameters["r"].value
     name = hypothesis.removeprefix(f"{HYPOTHESES}.")
     with balls.precision(words.SHOWN_BITS):
-        ball = balls.from_fraction(r)
         if name == "r-below-stabi":
             stabi = short(balls.ends(9 - 4 * balls.root(balls.from_fraction(Fraction(5)))))
             return f"r = {exact_number(r)}, r_stabi = {stabi}"
-        if name == "existence":
-            bound = 4 * balls.root(ball) / (1 + ball)
-        elif name == "stability":
-            root = balls.cube_root(ball)
-            bound = 2 * root * (1 + root) / (1 + ball)
-        else:
+        if name not in ("existence", "stability"):
             return ""
-        c, right = outcome.statement.parameters["c"], balls.ends(bound)
+        c, right = outcome.statement.parameters["c"], balls.ends(_bound(r, name))
         if c.op == "rational":
             own, other = exact_number(c.value), told_apart((c.value, c.value), right)[1]
         else:
@@ -96,6 +94,17 @@ def threshold(outcome: Outcome, hypothesis: str) -> str:
                 ("undefined", short(right)) if enclosed is None else told_apart(enclosed, right)
             )
         return f"-cos θ₀ = {own}, the right side is {other}"
+
+
+def _bound(r: Fraction, hypothesis: str) -> Ball:
+    """The number that -cos of the angle has to exceed, at the precision that is set."""
+    from verify.prover import balls  # flint is loaded only where it is used
+
+    ball = balls.from_fraction(r)
+    if hypothesis == "existence":
+        return 4 * balls.root(ball) / (1 + ball)
+    root = balls.cube_root(ball)
+    return 2 * root * (1 + root) / (1 + ball)
 
 
 def in_numbers(outcome: Outcome) -> str | None:
@@ -154,20 +163,44 @@ def failed_hypotheses(outcome: Outcome) -> list[tuple[Obligation, str]]:
     return found
 
 
-def known_there(outcome: Outcome) -> str:
-    """What is known where a hypothesis of the theorem does not hold."""
-    refuted = {row.name for row, _ in failed_hypotheses(outcome)}
-    if f"{HYPOTHESES}.existence" in refuted:
-        return (
-            "Known there: no collapse has -cos of its final angle below 4√r/(1+r), by theorem II "
-            "(certificates/classification)"
-        )
-    if f"{HYPOTHESES}.stability" in refuted:
-        return (
-            "Not decided here: theorem II (certificates/classification) does not exclude collapses "
-            "with this angle"
-        )
-    return ""
+def known_there(outcome: Outcome) -> list[str]:
+    """What is known where a hypothesis of the theorem does not hold: the strongest that is proved.
+
+    It is proved of the claim that some set with interior collapses with a final -cos within delta
+    of -cos of the angle: it is false if r is above 9-4√5, or if such an angle is below the bound of
+    the second condition.
+    """
+    refuted = {row.name.removeprefix(f"{HYPOTHESES}.") for row, _ in failed_hypotheses(outcome)}
+    if not refuted & {"existence", "stability", "r-below-stabi"}:
+        return []
+    from verify.views.restitution import (  # loaded only where they are used
+        LEAST_ANGLE,
+        comes_to_rest,
+        never,
+        without_interior,
+    )
+
+    r = outcome.statement.parameters["r"].value
+    known = [f"Known there: {line}" for line in without_interior(r)]
+    if "existence" in refuted and not never(r):
+        least = f"Known there: {LEAST_ANGLE}"
+        if _ends_below(outcome, "existence"):
+            return [f"{least}. -cos θ₀ + δ_θ is below that: no state collapses as the theorem says"]
+        known.append(least)
+    if not comes_to_rest(r) and _ends_below(outcome, "stability"):
+        known[0] += "; -cos θ₀ + δ_θ is below that: the conclusion of the theorem is false here"
+    return known
+
+
+def _ends_below(outcome: Outcome, hypothesis: str) -> bool:
+    """Whether -cos of the angle, with the deviation that is allowed, is below a bound."""
+    from verify.prover import balls  # flint is loaded only where it is used
+
+    given = outcome.statement.parameters
+    enclosed = words.ends_of(outcome, "c")
+    with balls.precision(words.SHOWN_BITS):
+        bound = balls.ends(_bound(given["r"].value, hypothesis))
+    return enclosed is not None and enclosed[1] + given["delta_theta"].value < bound[0]
 
 
 #: The certificate about thresholds: the drift of the printed angle is more than `DRIFT` |Δθ|/(1-φ⁺)
@@ -247,12 +280,16 @@ def printed_lines(verdicts: Mapping[str, str], paper: Publication) -> Iterator[s
         )
 
 
-def counted(count: int, severity: str) -> str:
-    """So many rows of a severity: 6 slips of wording, 2 false, but harmless here, 10 remarks."""
-    if severity == OTHERWISE:
-        return f"{count} true, but the reason given does not suffice"
-    several = severity.replace("slip", "slips").replace("remark", "remarks")
-    return f"{count} {severity if count == 1 else several}"
+#: What one row of a severity is, and what several are.
+SEVERAL = {
+    HARMLESS: ("harmless here", "harmless here"),
+    SLIP: ("slip of wording", "slips of wording"),
+    OTHERWISE: (
+        "is true, but the reason given does not suffice",
+        "are true, but the reason given does not suffice",
+    ),
+    REMARK: ("is a remark", "are remarks"),
+}
 
 
 def _argument(outcome: Outcome, paper: Publication) -> Iterator[str]:
@@ -263,18 +300,24 @@ def _argument(outcome: Outcome, paper: Publication) -> Iterator[str]:
         for row, found in outcome.rows
         if row.severity and words.fair(outcome, row, found) in (REFUTED, OTHERWISE, REMARK)
     )
-    rest = [counted(kinds[kind], kind) for kind in (HARMLESS, SLIP) if kinds[kind]]
-    fatal = [row.name for row, found in outcome.rows if words.fair(outcome, row, found) == REFUTED]
-    if any(name in paper.fatal for name in fatal):
-        rest[-1] += ", one fatal"
+    rest = _told(kinds, (HARMLESS, SLIP))
+    refuted = {row.name for row, d in outcome.rows if words.fair(outcome, row, d) == REFUTED}
+    if rest and refuted & paper.fatal.keys():
+        rest += ", one of them that sign"
     if rest:
-        yield f"  Also refuted: {', '.join(rest)}."
-    others = [counted(kinds[kind], kind) for kind in (OTHERWISE, REMARK) if kinds[kind]]
+        yield f"  Also refuted: {rest}."
+    others = _told(kinds, (OTHERWISE, REMARK))
     if others:
-        yield f"  Not held against the paper: {', '.join(others)}."
+        yield f"  Not held against the paper: {others}."
     angle = final_angle(outcome)
     if angle:
         yield f"  {angle}"
+
+
+def _told(kinds: Mapping[str, int], severities: Iterable[str]) -> str:
+    """How many rows there are of some severities: 2 harmless here; 6 slips of wording."""
+    found = ((kinds[kind], SEVERAL[kind]) for kind in severities if kinds[kind])
+    return "; ".join(f"{count} {one if count == 1 else many}" for count, (one, many) in found)
 
 
 def _breaking(outcome: Outcome, paper: Publication) -> Iterator[str]:
@@ -320,9 +363,7 @@ def _hypotheses(outcome: Outcome, paper: Publication) -> Iterator[str]:
     for row, why in failed_hypotheses(outcome):
         where = paper.number(row.label)
         yield f"Hypothesis {where}, {row.label}, does not hold: {row.says} ({why})"
-    known = known_there(outcome)
-    if known:
-        yield known
+    yield from known_there(outcome)
     if outcome.spent:
         yield f"Precision budget spent: {outcome.spent}"
 
@@ -334,4 +375,6 @@ def _set_line(outcome: Outcome, group: str) -> str:
 def _verdict(outcome: Outcome, paper: Publication, sets: list[str]) -> str:
     which = f", {' and '.join(sets)} constants," if sets else ""
     title = f"Theorem 1{which} at {parameters_told(outcome)}"
+    if words.headline(outcome) == words.DOES_NOT_APPLY:
+        title = f"a hypothesis is refuted (exit code 1): {title}"
     return f"Verdict: {words.summary(outcome, paper, title)}"

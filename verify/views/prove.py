@@ -8,8 +8,8 @@ from typing import Any
 from verify.language.statement import UNDECIDED, Obligation
 from verify.language.terms import Claim, symbol
 from verify.language.typeset import Typesetter
-from verify.prover.decimals import short
-from verify.prover.outcome import Decision, Outcome
+from verify.prover.decimals import decimal_text, people, round_decimal, short
+from verify.prover.outcome import Decision, Ends, Outcome
 from verify.publication import Publication
 from verify.views import words
 from verify.views.enclosures import exactly
@@ -58,12 +58,24 @@ def _numbers(row: Obligation, found: Decision) -> Iterator[str]:
     if sides is not None and isinstance(row.claim, Claim):
         left, right = sides
         yield f"  {words.sides_named(left, right)}, at {found.bits or '-'} bits"
-        low, high = right[0] - left[1], right[1] - left[0]
-        yield f"  the right side is larger by {short((low, high))}"
+        yield f"  {_difference((right[0] - left[1], right[1] - left[0]))}"
     if found.verdict != UNDECIDED:
         yield f"  shown by the rule {found.method}, judged by {found.judge}"
     if row.uses:
         yield f"  given {', '.join(row.uses)}"
+
+
+def _difference(ends: Ends) -> str:
+    """Which side is larger, and by how much, as far as the ends of their difference tell."""
+    low, high = ends
+    if low > 0:
+        return f"the right side is larger by {short(ends)}"
+    if high < 0:
+        return f"the right side is smaller by {short((-high, -low))}"
+    if low == high:
+        return "both sides are equal"
+    most = decimal_text(*round_decimal(max(-low, high), 3, up=True))
+    return f"the sides differ by at most {people(most)}"
 
 
 def _values(found: Decision, typesetter: Typesetter) -> dict[str, str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from verify.language.simplify import simplified, simplified_claim
 from verify.language.statement import (
@@ -27,10 +27,17 @@ from verify.views.words import letters
 MORE = "All rows: -v; some: --rows NAME; one with its proof: verify explain NAME."
 
 
-def screen(title: str, outcome: Outcome, paper: Publication) -> Iterator[str]:
-    """What fits on a screen; the verdict comes after it."""
-    yield title
+def screen(
+    title: str, outcome: Outcome, paper: Publication, answer: Iterable[str] = ()
+) -> Iterator[str]:
+    """What fits on a screen: the verdict in a word, the answer to what was asked, then the rows.
+
+    The whole verdict comes after it.
+    """
+    yield f"{title}: {words.headline(outcome)}"
     yield ""
+    asked = [*answer]
+    yield from [*asked, ""] if asked else ()
     yield from brief(outcome, paper)
     if outcome.spent:
         yield f"Work budget spent: {outcome.spent}"
@@ -89,7 +96,7 @@ def _one_line(row: Obligation, paper: Publication) -> str:
 def trusted_names(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """Which sentences a verdict rests on, and which of them Coq has proved."""
     if outcome.assumptions:
-        yield f"{words.believed(outcome, paper)} The sentences: -v."
+        yield f"{words.believed(outcome, paper)} Their text: -v."
     if outcome.printed_assumptions:
         names = ", ".join(assumption.name for assumption in outcome.printed_assumptions)
         yield f"Only for printed rows: {names}."
@@ -113,6 +120,10 @@ def rows_called(outcome: Outcome, name: str, paper: Publication) -> list[str]:
     return [line for part in lines for line in part]
 
 
+#: What stands before the words of a row whose claim is false, though nothing is held against it.
+SAID = {REMARK: "false: ", OTHERWISE: "– "}
+
+
 def row_lines(
     outcome: Outcome,
     row: Obligation,
@@ -124,7 +135,8 @@ def row_lines(
     of_set = row.group in (PRINTED, REPAIRED)  # the heading says so
     role = " (as printed)" if row.role == PRINTED and not of_set else ""
     verdict = words.fair(outcome, row, decision)
-    yield f"  {verdict:<9} {row.says}{role}   [{row.name}, {paper.cited(row.label)}]"
+    says = f"{SAID.get(verdict, '')}{row.says}"
+    yield f"  {verdict:<9} {says}{role}   [{row.name}, {paper.cited(row.label)}]"
     uses = f"; with {', '.join(row.uses)}" if row.uses else ""
     by = f"by {decision.method or 'no rule that was found'}{uses}"
     claim, sides = typesetter.claim(row.claim), words.sides_of(row, decision)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -20,6 +20,15 @@ COLLAPSES, DISPERSES, FINITE = "collapses", "disperses", "finite"
 #: What the spheres tell of a scene, and of a collision: records of theirs, whose entries are read.
 Told = Any
 Step = Any
+Afterwards = Any
+Ends = tuple[Fraction, Fraction]
+#: What happens after a collapse, by its name, with the pair and the time after the collapse.
+THEN = {
+    "together": "they stay together",
+    "apart": "they part at once, and no two collide again",
+    "meet": "the middle one parts from both at once, and {0} meet {1} after the collapse",
+    "unknown": "it is not decided whether two collide again",
+}
 #: In a table, for a quotient by a number that may be 0, and for what no reader could compare.
 UNKNOWN = "?"
 #: An enclosure with a smaller relative width may stand next to a short decimal.
@@ -44,7 +53,7 @@ def given_line(told: Told, judge: str) -> str:
     return f"given {' and '.join(named)}; judged by {judge}"
 
 
-def scene_document(told: Told, judge: str) -> dict[str, Any]:
+def scene_document(told: Told, after: Afterwards, judge: str) -> dict[str, Any]:
     """The verdict as JSON; every number is a text."""
     return {
         "format": FORMAT,
@@ -61,12 +70,56 @@ def scene_document(told: Told, judge: str) -> dict[str, Any]:
         "neg_cos_theta": None if told.angle is None else outward(told.angle),
         "event_time": None if told.event is None else outward(told.event),
         "energy_lost": outward(told.energy),
+        "after_collapse": None if after is None else _afterwards_document(after),
         **{name: text for name, text in told.scene.labels._asdict().items() if text},
         "impacts": [
             {"pair": one.pair, "time": outward(one.time), "normal_speed": outward(one.speed)}
             for one in told.impacts
         ],
     }
+
+
+def _afterwards_document(after: Afterwards) -> dict[str, Any]:
+    return {
+        "velocities": [[outward(ends) for ends in row] for row in after.velocities],
+        "energy_lost": outward(after.energy),
+        "then": after.then,
+        "pair": after.pair or None,
+        "wait": None if after.wait is None else outward(after.wait),
+    }
+
+
+def afterwards_lines(after: Afterwards, shown: Callable[[Ends], list[str]]) -> Iterator[str]:
+    """The velocities to which those of the balls tend in a collapse, and what happens then."""
+
+    def text(ends: Ends) -> str:
+        low, high = shown(ends)
+        return low if low == high else f"[{low}, {high}]"
+
+    yield "at the collapse the velocities tend to"
+    for ball, row in enumerate(after.velocities):
+        yield f"  {ball}: {', '.join(map(text, row))}"
+    yield f"energy lost in all: {text(after.energy)}"
+    wait = "" if after.wait is None else text(after.wait)
+    then = THEN[after.then].format(after.pair, wait)
+    yield f"then, if the balls move on with these velocities: {then}"
+
+
+def cutoff_line(verdict: str, cutoff: str, count: tuple[int, int] | None) -> str:
+    """After how many collisions less time than the cutoff is left."""
+    if verdict != COLLAPSES:
+        return "--cutoff: no collapse is proved"
+    if count is None:
+        return f"when less time than {cutoff} is left is not known; allow more --collisions"
+    least, most = count
+    number = str(least) if least == most else f"{least} to {most}"
+    words = "1 collision" if count == (1, 1) else f"{number} collisions"
+    return f"after {words} less time than {cutoff} is left"
+
+
+def cutoff_document(cutoff: Fraction, count: tuple[int, int] | None) -> dict[str, Any]:
+    """The same as JSON."""
+    return {"time": str(cutoff), "collisions": None if count is None else list(count)}
 
 
 def collision_table(steps: Iterable[Step], bits: int, unit: str) -> Iterator[str]:

@@ -71,7 +71,6 @@ def verdict_line(outcome: Outcome, paper: Publication) -> str:
 def point_lines(r: list[Fraction], spectrum: Spectrum) -> Iterator[str]:
     """The eigenvalues and eigenvectors for a reader."""
     texts = " to ".join(map(exact_number, r))
-    yield ""
     yield f"At r = {texts}" if len(r) == 1 else f"For all r from {texts}"
     value = _short(spectrum.lambda_0) if spectrum.exact is None else f"{spectrum.exact}"
     yield f"  λ₀  = {value}{'' if spectrum.exact is None else ' (exactly)'}, argument π"

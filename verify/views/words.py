@@ -107,10 +107,11 @@ def given_by(outcome: Outcome, paper: Publication) -> str:
 
 
 def believed(outcome: Outcome, paper: Publication) -> str:
-    """Which sentences are believed, and which Coq proves, of those that the verdict rests on.
+    """All assumptions that the verdict has, and which of them are believed, and proved in Coq.
 
     Coq has definitions as well; that they say what is meant is believed. Where Coq proves what is
-    cited, the verdict rests on none of the sentences behind that, but on its definitions.
+    cited, the verdict rests on none of the assumptions behind that, but on its definitions. Each
+    is counted once: so the parts add up to all, which are those that `given_by` counts.
     """
     theorem = outcome.statement.theorem
     own = [(theorem, one) for one in outcome.own_assumptions]
@@ -119,12 +120,21 @@ def believed(outcome: Outcome, paper: Publication) -> str:
     for theorem, one in [*own, *cited]:
         known[one] = known.get(one, True) and one.name in paper.in_coq.get(theorem, ())
     proved = [one.name for one, found in known.items() if found and one.kind != DEFINITION]
-    proved += [f"what is used of {name}" for name in cited_in_coq(outcome, paper)]
     others = [one for one, found in known.items() if not found or one.kind == DEFINITION]
     names = [f"{one.name} ({one.kind})" if one.kind == DEFINITION else one.name for one in others]
-    count = f"{len(known)} assumption{'s' * (len(known) != 1)}"
-    list_ = ", ".join(proved) or "none"
-    return f"Uses {count}. Believed: {', '.join(names) or 'none'}. Proved in Coq: {list_}."
+    whole, total = cited_in_coq(outcome, paper), len(outcome.assumptions)
+    replaced = [f"the others of {name}, as Coq proves what is used of it" for name in whole]
+    parts = (
+        (len(names), "believed", names),
+        (len(proved), "proved in Coq", proved),
+        (total - len(known), "not needed", replaced),
+    )
+    told = (f"{n} {_be(n)} {what}: {', '.join(list_)}." for n, what, list_ in parts if n)
+    return " ".join((f"Uses {total or 'no'} assumption{'s' * (total != 1)}.", *told))
+
+
+def _be(count: int) -> str:
+    return "is" if count == 1 else "are"
 
 
 def cited_in_coq(outcome: Outcome, paper: Publication) -> list[str]:
@@ -158,7 +168,8 @@ def summary(outcome: Outcome, paper: Publication, title: str = "") -> str:
     """
     parts = [counts(outcome, role) for role in (NEEDED, PRINTED)]
     rows = "; ".join(part for part in parts if part)
-    title = title or outcome.statement.title
+    own = outcome.statement.title
+    title = title or (in_letters(own) if is_about(outcome, paper) else own)
     return f"{headline(outcome)}: {title}: {rows}; given {given_by(outcome, paper)}"
 
 

@@ -87,6 +87,8 @@ def hundredth(percent: str) -> str:
     return decimal_text(*round_decimal(Fraction(percent) / 100, 40, up=False))
 
 
+#: A number of a few digits.
+_FEW = r"[+-]?(?:[0-9]{1,9}(?:\.[0-9]{0,40})?|\.[0-9]{1,40})"
 #: Digits in groups, and what may stand behind them.
 _GROUPED = re.compile(
     r"(-?[1-9][0-9]{0,2})((?:([,.'’_  ])[0-9]{3})(?:\3[0-9]{3})*)(?:[.,]([0-9]+))?"
@@ -109,12 +111,28 @@ def _meant(text: str) -> str:
     whole = ungrouped(text)
     if whole:
         return whole
-    mended = text.translate(_TYPED).strip()
+    mended = re.sub(
+        r"^(?:[^\W\d]\w*)? ?[=:<>~≈≤≥]+ ?", "", text.translate(_TYPED).strip(" \t{}()\"'`")
+    )
     percent = re.fullmatch(r"([0-9]{1,9}(?:\.[0-9]{1,9})?) ?%", mended)
     if percent:
         return hundredth(percent[1])
-    is_one = re.fullmatch(rf"(?=.*[0-9])(?:{_RATIONAL}|{_DECIMAL})", mended)
-    return mended if is_one else "it like 0.03, 3/100 or 3e-2"
+    part = re.fullmatch(r"([0-9]{1,9})/([1-9][0-9]{0,8}) ?%", mended)
+    if part:
+        return str(Fraction(int(part[1]), 100 * int(part[2])))
+    ends = between(text)
+    if ends:
+        return f"{ends} where an interval may stand, or one number"
+    number = re.match(rf"(?:{_FEW}/{_FEW}|{_FEW})(?:e[+-]?[0-9]{{1,3}})?(?![0-9.,/eE])", mended)
+    is_one = number and re.fullmatch(r"[ *]?(?:[^\W\d_]|[°'\"µμ%]|/)*", mended[number.end() :])
+    return number[0] if number and is_one else "it like 0.03, 3/100 or 3e-2"
+
+
+def between(text: str) -> str:
+    """The interval that is meant by two numbers with another sign between, or in brackets."""
+    found = re.fullmatch(rf"[\[(\]]?({_FEW})(?:-|–|—|:|\.{{3,}}|…|,|;| to )({_FEW})[\])\[]?", text)
+    is_decimal = found is not None and text == f"{found[1]},{found[2]}"
+    return f"{found[1]}..{found[2]}" if found and not is_decimal else ""
 
 
 def positive(option: str, text: str) -> Fraction:
@@ -135,9 +153,15 @@ def share(option: str, text: str) -> Fraction:
     Raises:
         InputError: for any other text.
     """
+    number = text.removesuffix("%").replace(",", ".")
+    if text.endswith("%") and "," in text:
+        raise InputError(f"{option}: {shown(text)} is no share; write {number}%")
     value = rational(option, text.removesuffix("%")) / (100 if text.endswith("%") else 1)
     if not 0 <= value <= 1:
-        raise InputError(f"{option}: {shown(text)} is no share; write a share such as 0.1%")
+        meant = (
+            f"{text}%" if 1 < value <= 100 and not text.endswith("%") else "a share such as 0.1%"
+        )
+        raise InputError(f"{option}: {shown(text)} is no share; write {meant}")
     return value
 
 
@@ -150,8 +174,10 @@ def interval(
         InputError: for any other text, or if the ends are not in order.
     """
     words = text.split("..") * (2 if points and ".." not in text else 1)
-    if len(words) != 2:
-        raise InputError(f"{option}: {shown(text)} is no interval; write it as 0.01..0.05")
+    meant = between(text)
+    if len(words) != 2 or meant or "" in map(str.strip, words):
+        instead = meant or "it as 0.01..0.05"
+        raise InputError(f"{option}: {shown(text)} is no interval; write {instead}")
     low, high = map(read, words)
     if not (low < high or (points and low == high)):
         raise InputError(
@@ -168,9 +194,33 @@ def integer(option: str, text: str, least: int, most: int) -> int:
     """
     if not re.fullmatch(r"[0-9]{1,9}", text) or not least <= int(text) <= most:
         raise InputError(
-            f"{option}: {shown(text)} is not usable; write a whole number from {least} to {most}"
+            f"{option}: {shown(text)} is not usable; write "
+            f"{_whole(text, least, most) or f'a whole number from {least} to {most}'}"
         )
     return int(text)
+
+
+def _whole(text: str, least: int, most: int) -> str:
+    """The whole number that is meant by 1e3, 1,000, 5s or 2.0; nothing if it is out of bounds."""
+    number = re.match(r"([0-9]{1,9}(?:\.[0-9]{1,9})?)(?:[eE]\+?([0-9]))?", text.strip())
+    if number is None:
+        return ""
+    power = re.fullmatch(r"([0-9]{1,3})(?:\^|\*\*)([0-9]{1,2})", text)
+    value = Fraction(number[1]) * 10 ** int(number[2] or 0)
+    rest = text.strip()[number.end() :].strip()
+    if power:
+        value = Fraction(int(power[1]) ** int(power[2]))
+    elif ungrouped(text):
+        value = Fraction(ungrouped(text).split(",")[0])
+    elif rest.lower() in _THOUSANDS:
+        value *= _THOUSANDS[rest.lower()]
+    elif re.search(r"[0-9]", rest):
+        return ""
+    is_within = value.denominator == 1 and least <= value <= most
+    return f"{value} (a whole number from {least} to {most})" if is_within else ""
+
+
+_THOUSANDS = {"k": 10**3, "thousand": 10**3, "m": 10**6, "million": 10**6}
 
 
 def check_length(option: object, text: str) -> None:

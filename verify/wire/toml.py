@@ -6,17 +6,12 @@ import re
 import tomllib
 from typing import Any
 
+from verify.wire.inputs import InputError
+
 #: Of a word outside of quotation marks: a number, or a part of a key.
 MAX_WORD = 4300
 #: Of the parts of a key, and of brackets inside of one another.
 MAX_PARTS, MAX_NESTING = 100, 100
-
-#: What to write where something stands twice, by what the reader of TOML says of it.
-TWICE = {
-    "Cannot overwrite a value": "a name stands there twice, leave one out or choose another",
-    "Duplicate inline table key": "a key stands there twice, leave one out",
-    "Cannot declare": "a table stands there twice, write its lines together",
-}
 
 #: Texts in quotation marks, and comments.
 _QUOTED = re.compile(
@@ -34,21 +29,32 @@ class TooLongError(ValueError):
     """A text has a longer part than is read."""
 
 
-def toml_of(content: bytes) -> tuple[dict[str, Any], str]:
+def toml_of(path: str, content: bytes, otherwise: str) -> tuple[dict[str, Any], str]:
     """The table in a file of TOML, where a number is the text that is written, and its text.
 
     A byte order mark at the beginning is skipped.
 
     Raises:
-        UnicodeDecodeError: if it is not UTF-8.
-        ValueError: if it is no TOML, or a part of it is longer than is read.
+        InputError: naming the file, the line, and what to write there; ``otherwise`` where that is
+            not known.
     """
-    text = content.decode("utf-8-sig")
-    _check(text)
     try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InputError(
+            f"{path}: is not valid TOML (it is not UTF-8); save it as UTF-8"
+        ) from error
+    try:
+        _check(text)
         return tomllib.loads(text, parse_float=str), text
     except RecursionError as error:
-        raise TooLongError(_NESTED) from error
+        raise InputError(f"{path}: {_NESTED}; make it shorter") from error
+    except TooLongError as error:
+        raise InputError(f"{path}: {error}; make it shorter") from error
+    except ValueError as error:
+        from verify.wire.mend_toml import error_about  # loaded only where it is used
+
+        raise error_about(path, text, str(error), otherwise) from error
 
 
 _NESTED = f"brackets are more than {MAX_NESTING} deep"

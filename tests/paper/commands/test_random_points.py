@@ -28,7 +28,7 @@ Point = tuple[Fraction, Term]
 
 
 def decade(random: Random, most: int) -> Fraction:
-    """A number in ]0,1[ whose number of zeros is random."""
+    """A number in (0, 1) whose number of zeros is random."""
     digits = random.randint(1, 6)
     mantissa = random.randint(1, 10**digits - 1)
     return Fraction(mantissa, 10 ** (digits + random.randint(0, most)))

@@ -351,20 +351,51 @@ def test_programs_read_the_verdicts(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("c", "known"),
+    ("words", "known"),
     [
-        ("0.5", "no collapse has -cos of its final angle below 4√r/(1+r)"),
-        ("0.7", "theorem II (certificates/classification) does not exclude collapses"),
+        (["0.03", "--neg-cos", "0.5"], "below that: no state collapses as the theorem says"),
+        (["0.03", "--neg-cos", "0.6"], "is at least 4√r/(1+r)"),
+        (["0.03", "--neg-cos", "0.6"], "angle; -cos θ₀ + δ_θ is below that: the conclusion of the"),
+        (
+            ["0.03", "--neg-cos", "0.7"],
+            "no set with interior consists of states that collapse with",
+        ),
+        (["0.06"], "no set with interior consists of states that collapse, and the conclusion of"),
+        (["0.06", "--neg-cos", "0.9"], "is at least 4√r/(1+r)"),
+        (["0.08"], "three balls of equal mass never collapse, whatever the angle"),
     ],
 )
 def test_a_theorem_does_not_apply(
-    c: str, known: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    words: list[str],
+    known: str,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setenv("COLUMNS", "9999")
-    assert main(["theorem1", "--r", "0.03", "--neg-cos", c]) == 1
+    assert main(["theorem1", "--r", *words]) == 1
     said = capsys.readouterr().out
-    assert "Verdict: does not apply: Theorem 1" in said
+    assert "Verdict: does not apply: a hypothesis is refuted (exit code 1): Theorem 1" in said
     assert known in said
     assert "as printed, with <" not in said
-    assert main(["theorem1", "--r", "0.03", "--neg-cos", c, "--json"]) == 1
+    assert main(["theorem1", "--r", *words, "--json"]) == 1
     assert json.loads(capsys.readouterr().out)["verdict"] == "does not apply"
+
+
+@pytest.mark.parametrize(
+    ("words", "is_false"),
+    [
+        (["0.03", "--neg-cos", "0.7", "--delta-theta", "0.09"], True),
+        (["0.03", "--neg-cos", "0.7", "--delta-theta", "0.091"], False),  # 0.7908… is between
+        (["1/64", "--neg-cos", "8/13", "--delta-theta", "1/1000000"], False),  # just the bound
+        (["0.05572809"], False),  # one digit below 9-4√5; -cos θ₀ = 1
+        (["0.0557280901"], True),
+    ],
+)
+def test_when_the_conclusion_is_false(
+    words: list[str], is_false: bool, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A collapse with -cos below the second bound has no angular momentum: no interior there."""
+    code = main(["theorem1", "--r", *words])
+    said = " ".join(capsys.readouterr().out.split())
+    assert ("the conclusion of the theorem is false here" in said) == is_false
+    assert code == (0 if "Known" not in said else 1)

@@ -13,7 +13,7 @@ from .second_reading import Number, Place, State, Vector, along, dot
 
 
 def share(rng: random.Random) -> fmpq:
-    """A number in ]0, 1[, often close to an end."""
+    """A number in (0, 1), often close to an end."""
     tiny = fmpq(1, 10**9)
     return rng.choice([tiny, 1 - tiny, fmpq(rng.randint(1, 999), 1000)])
 

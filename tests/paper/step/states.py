@@ -41,7 +41,7 @@ class Random:
         self.numbers: Values = {name: balls.from_fraction(x.value) for name, x in point}
 
     def share(self) -> arb:
-        """A number in ]0, 1[, often close to an end."""
+        """A number in (0, 1), often close to an end."""
         exact = self.random.choice([TINY, 1 - TINY, Fraction(self.random.randrange(1, 999), 1000)])
         return balls.from_fraction(exact)
 

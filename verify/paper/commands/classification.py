@@ -7,6 +7,7 @@ from fractions import Fraction
 from verify.language.statement import PROVED, UNDECIDED
 from verify.prover.outcome import Outcome
 from verify.views.findings import AboutMiddle, AtMasses, AtR
+from verify.views.restitution import comes_to_rest, never
 
 #: Bits of the least final -cos.
 BITS = 160
@@ -15,24 +16,20 @@ BUDGET = 1 << 37
 
 
 def at_restitution(r: Fraction) -> AtR:
-    """What the theorems say for 0 < r < 1; all but the enclosure is exact.
-
-    With t^3 = r the bound of glue-second, 2t(1+t)/(1+r), exceeds 1 just if t^2 - 3t + 1 < 0: for
-    r > 9-4√5, which is a root of r^2 - 18r + 1.
-    """
+    """What the theorems say for 0 < r ≤ 1; all but the enclosure is exact."""
     from verify.prover import balls  # flint is loaded only where it is used
 
-    excluded = r**2 - 14 * r + 1 < 0
+    excluded = never(r)
     with balls.precision(BITS):
         root = balls.root(balls.from_fraction(r))
         least = balls.ends(4 * root / balls.from_fraction(1 + r))
     longest = longest_run(r) if excluded else None
-    comes_to_rest = r**2 - 18 * r + 1 < 0
-    return AtR(r, least, excluded, longest, excluded and longest is None, comes_to_rest)
+    undecided = excluded and longest is None
+    return AtR(r, least, excluded, longest, undecided, comes_to_rest(r))
 
 
 def at_masses(masses: tuple[Fraction, ...], r: Fraction) -> AtMasses:
-    """What the classification of balls says of three masses and one r in ]0,1[, exactly.
+    """What the classification of balls says of three masses and one r in (0, 1], exactly.
 
     b² is (1+r)²M, so that b < 2√r just if r > (1-√(1-M))/(1+√(1-M)) = M/(1+√(1-M))².
     """

@@ -36,7 +36,7 @@ ESTIMATE_BITS = 40
 
 
 def at(r: Fraction, bits: int) -> Spectrum:
-    """The spectrum at r in ]0,1[, each part known to ``bits`` relative bits.
+    """The spectrum at r in (0, 1), each part known to ``bits`` relative bits.
 
     The precision is raised until that is so. This ends: a part that is not computed exactly is a
     number other than 0.

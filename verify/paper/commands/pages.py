@@ -85,7 +85,7 @@ def cited_by(name: str) -> tuple[Cite, ...]:
     text = content(name)
     if b"[cites]" not in text:
         return ()
-    table, _ = toml_of(text)
+    table, _ = toml_of(f"{ROOM}/{name}{END}", text, "mend it")
     pages = {theorem: page for page, (theorem, _) in PAGES.items()}
     return tuple(cite(pages[theorem]) for theorem in table.get("cites", {}).values())
 

@@ -11,7 +11,7 @@ PAGE = "spectrum"
 
 
 def state_spectrum() -> Statement:
-    """What is claimed, for every r in ]0,1[."""
+    """What is claimed, for every r in (0, 1)."""
     return pages.statement(PAGE)
 
 

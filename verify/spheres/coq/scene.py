@@ -433,8 +433,8 @@ Proof. eapply FlowDrift.drift_still_apart; exact the_certified_{label}. Qed."""
         rho = f"({here['r']} * {here['s']})"
         after = (here["y"], here["lam_next"], rho, here["eps_next"], "0")
         state = " ".join((*after, *(here[f"{name}_next"] for name in STATE[5:])))
-        here_too = f"repeat split; discriminate | exact the_seen_{seen}"
-        given = f"exact the_certified_{n} | exact the_later_{n} | {here_too}"
+        given = f"exact the_certified_{n} | exact the_later_{n} | "
+        given += f"repeat split; discriminate | exact the_seen_{seen}"
         last = f"FlowStep.flight_time {here['y']} {here['T']}"
         cuts = "".join(
             f"eapply FlowDrift.drift_meets with (o := {o}) (i := {s}) (c := {c});\n  "
@@ -465,12 +465,11 @@ Definition the_scene_{n} : Theorem1.scene :=
 Lemma the_meets_{n} : Theorem1.first_to_meet {d} the_scene_{before} {o} {c} the_time_{n}.
 Proof. {cuts}eapply FlowStep.flow_meets with (i := {s}); [{given}]. Qed.{following}
 Lemma the_seen_{n} : FlowStep.gram {d} the_scene_{n} {o} {c} {s} {state}.
-Proof. eapply FlowStep.flow_next; [exact the_certified_{n} | {here_too}]. Qed.
+Proof. eapply FlowStep.flow_next; [{given}]. Qed.
 Lemma the_clear_{n} : 1 <= Motion.square {d} the_scene_{n} {o} {c} /\\
   1 < Motion.square {d} the_scene_{n} {o} {s} /\\ 1 < Motion.square {d} the_scene_{n} {c} {s}.
 Proof.
-  eapply FlowStep.flow_apart_after;
-    [exact the_certified_{n} | exact the_later_{n} | exact the_seen_{seen}].
+  eapply FlowStep.flow_apart_after; [{given}].
 Qed.
 Lemma the_apart_{n} : 0 < {here["eps_next"]}.
 Proof. apply the_certified_{n}. Qed."""

@@ -269,7 +269,7 @@ def is_next(state: State, way: Flight, sizes: Sizes) -> bool:
 
 
 def stays_apart(pair: Pair, time: Number) -> bool:
-    """True only if the pair is apart at all times in ]0, time]."""
+    """True only if the pair is apart at all times in (0, time]."""
     g, p, m = pair
     step = p * time
     return bool(g >= 0) and bool(g + step >= 0) and bool(g + time * (2 * p + m * time) > 0)

@@ -19,7 +19,7 @@ from verify.spheres.map.planes import FamilyPlane, Place, Scenes, Side, Through
 from verify.spheres.scene.families import Family, FamilyTerms, read_family
 from verify.spheres.scene.scene import Coordinates
 from verify.spheres.scene.scene_files import OPTIONAL, read_scene
-from verify.wire.inputs import InputError, rational, shown
+from verify.wire.inputs import InputError, between, rational, shown
 
 #: The letters of the operations of terms.
 LETTERS = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
@@ -60,7 +60,8 @@ def interval_in(option: str, text: str) -> Side:
     """
     words = text.split("..")
     if len(words) != 2:
-        raise InputError(f"{option}: {shown(text)} is no interval; write A..B")
+        meant = between(text) or "A..B"
+        raise InputError(f"{option}: {shown(text)} is no interval; write {meant}")
     low, high = (rational(option, word) for word in words)
     if not low < high:
         raise InputError(f"{option}: {shown(text)} is not A < B; write such an interval")

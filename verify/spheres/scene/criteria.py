@@ -121,12 +121,12 @@ def _of(table: dict[str, Number], i: str, j: str) -> Number:
 
 
 def inelastic(r: Number) -> Number:
-    """What is negative if r > 7 - 4√3, for r in ]0,1[."""
+    """What is negative if r > 7 - 4√3, for r in (0, 1)."""
     return r**2 - 14 * r + 1
 
 
 def comes_to_rest(r: Number) -> Number:
-    """What is negative if r > 9 - 4√5, for r in ]0,1[."""
+    """What is negative if r > 9 - 4√5, for r in (0, 1)."""
     return r**2 - 18 * r + 1
 
 

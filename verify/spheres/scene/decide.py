@@ -32,6 +32,8 @@ FIRST_BITS, MAX_BITS = 128, 4096
 MAX_COLLISIONS = 1000
 #: No more digits of the collapse time can be asked for.
 MAX_DIGITS = 200
+#: Smaller relative widths of the collapse time are not worth a float.
+LEAST_WIDTH = 1e-300
 #: More collisions on a line than this cost the flow more digits than they are worth.
 LONG_LINE = 200
 #: More collisions at one time are no end of them that the law of pairs knows.
@@ -233,8 +235,9 @@ def _at_last(known: Fate, found_at: int, digits: int | None) -> Fate:
 def more_collisions(end: Collapse, digits: int | None) -> int:
     """About how many collisions later the enclosures may be tight enough."""
     low, high = end.time
-    share = balls.as_float((high - low) / high) * 10.0 ** (digits or 0)
-    return max(1, int(math.log(max(share, 1.0)) / -math.log(end.ratio)) - 1)
+    width = max(balls.as_float((high - low) / high), LEAST_WIDTH)
+    missing = math.log(width) + (digits or 0) * math.log(10)
+    return max(1, int(missing / -math.log(end.ratio)) - 1)
 
 
 def is_tight(end: Collapse, digits: int | None) -> bool:

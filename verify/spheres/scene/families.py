@@ -39,6 +39,7 @@ from verify.spheres.scene.scene_files import (
     scene_from,
     toml_table,
 )
+from verify.spheres.scene.units import refuse_units
 from verify.wire.inputs import InputError, rational, shown
 
 PARAMETERS = "parameters"
@@ -146,6 +147,7 @@ def read_family(where: str, content: bytes) -> Family:
         raise InputError(f"{where}: r: {R_AT_THE_TOP}")
     for name in given:
         _test_name(where, name)
+    refuse_units(where, table, given)
     sides = {name: _side(where, name, text) for name, text in given.items()}
     if isinstance(table.get("r"), str) and ".." in table["r"]:
         sides["r"] = _side(where, "r", table["r"])
@@ -170,6 +172,10 @@ def _side(where: str, name: str, text: object) -> Side:
     words = text.split("..") if isinstance(text, str) else []
     if len(words) != 2:
         raise InputError(f'{place}: {shown(str(text))} is no interval; write it like "0..0.1"')
+    numbers = [re.match(r"[-+]?[0-9][0-9./]*(?:[eE][-+]?[0-9]+)?(?= ?[^\W\d_])", w) for w in words]
+    if any(numbers):
+        bare = "..".join(n[0] if n else w.strip() for n, w in zip(numbers, words, strict=True))
+        raise InputError(f'{place}: {shown(str(text))} has a unit; write "{bare}"')
     low, high = (rational(place, word) for word in words)
     if not low < high:
         raise InputError(f"{place}: {shown(str(text))} is not A < B; write such an interval")

@@ -75,6 +75,10 @@ class Scene(Record):
         """The coefficient of restitution of a pair."""
         return self.r if self.restitutions is None else self.restitutions[i + j - 1]
 
+    def contact(self, i: int, j: int) -> Fraction:
+        """The distance of the centres of a pair when it touches."""
+        return Fraction(1) if self.bodies is None else self.bodies.radii[i] + self.bodies.radii[j]
+
     @property
     def dimension(self) -> int:
         """The number of coordinates."""

@@ -32,8 +32,9 @@ from verify.spheres.scene.scene import (
     coordinates,
     pair_name,
 )
-from verify.wire.inputs import InputError, hundredth, rational, regular_file, shown
-from verify.wire.toml import TWICE, TooLongError, toml_of
+from verify.spheres.scene.units import refuse_units
+from verify.wire.inputs import InputError, rational, regular_file, shown
+from verify.wire.toml import toml_of
 
 KEYS = ("r", "positions", "velocities")
 #: The diameter of the particles in the file's own unit of length; 1 without it.
@@ -51,8 +52,6 @@ MAX_LABEL = 80
 NO_PHYSICS = frozenset(
     ("box", "force", "forces", "friction", "gravity", "rotation", "spin", "spins", "wall", "walls")
 )
-#: A number with a unit of length, or of speed: ``2 cm``, ``0.5 m/s``.
-_QUANTITY = r"([+-]?[0-9]+(?:\.[0-9]+|/[0-9]+)?) ?((?!e[0-9]|pi|deg|rad)[a-zµμ]+)(?:/([a-z]+))?"
 MAX_DIMENSION = 20
 MAX_BYTES = 1 << 20
 
@@ -60,6 +59,9 @@ MAX_BYTES = 1 << 20
 R_AT_THE_TOP = (
     'stands below [parameters]; write it at the top, also as an interval: r = "0.01..0.09"'
 )
+
+#: What to write where a line is not TOML, and nobody knows what was meant.
+LIKE_THIS = f"write {', '.join(KEYS)}, such as r = 0.03"
 
 
 class OverlapError(InputError):
@@ -94,6 +96,7 @@ def scene_from(where: str, table: dict[str, Any]) -> Scene:
     Raises:
         InputError: naming the file, the key, and what to write instead.
     """
+    refuse_units(where, table)
     both = _restitutions(where, table)
     unit = _diameter(where, table)
     masses, radii = _each(where, MASSES, table), _each(where, RADII, table)
@@ -132,18 +135,7 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
     """
     if len(content) > MAX_BYTES:
         raise InputError(f"{where}: has {len(content)} bytes; write at most {MAX_BYTES}")
-    try:
-        table, _ = toml_of(content)
-    except TooLongError as error:
-        raise InputError(f"{where}: {error}; make it shorter") from error
-    except ValueError as error:
-        is_text = not isinstance(error, UnicodeDecodeError)
-        why = " ".join(str(error).split()) if is_text else "it is not UTF-8"
-        twice = next((instead for part, instead in TWICE.items() if part in why), "")
-        meant = (_meant_line(content) if is_text else None) or ", ".join(KEYS)
-        raise InputError(
-            f"{where}: is not valid TOML ({why}); {twice or f'write {meant}'}"
-        ) from error
+    table, _ = toml_of(where, content, LIKE_THIS)
     is_family = "parameters" in table or ".." in str(table.get("r"))
     if is_family and not more:
         raise InputError(
@@ -183,44 +175,6 @@ def _meant_key(odd: str, table: dict[str, Any]) -> str:
     return f" (do you mean {meant[0]}?)" if meant else ""
 
 
-def _meant_line(content: bytes) -> str | None:
-    """What was meant by ``r = 0,05``, ``r = 5%``, ``h = 0..1`` or ``[0,05, h]``; or None."""
-    comma, percent = (
-        re.search(rb"^[ \t]*(\w+)[ \t]*=[ \t]*" + number + rb"[ \t\r]*$", content, re.MULTILINE)
-        for number in (rb"(-?\d+),(\d+)", rb"(\d{1,9}(?:\.\d{1,9})?)[ \t]*%")
-    )
-    if comma is not None:
-        name, whole, digits = (part.decode() for part in comma.groups())
-        return f"{name} = {whole}.{digits}, with a decimal point"
-    if percent is not None:
-        name, number = (part.decode() for part in percent.groups())
-        return f"{name} = {hundredth(number)}"
-    for name, text in re.findall(
-        r"^[ \t]*(\w+)[ \t]*=[ \t]*([^\n]+)$", content.decode(), re.MULTILINE
-    ):
-        if not text.startswith("["):
-            words, before = [re.sub(r"[ \t]*#.*", "", text)], f"{name} = "
-        else:
-            words, before = re.findall(r"[\[,][ \t]*([^][,{}#]+)(?=[],])", text), ""
-        for word in map(str.strip, words):
-            if not re.search("[\"'{]", word) and re.search(r"[a-z]|\.\.", word) and _is_odd(word):
-                return f'{before}"{word}", in quotes'
-    among = re.search(rb"[\[,][ \t]*(-?\d+),(0\d+)[ \t]*[\],]", content)  # no number begins with 0
-    if among is not None:
-        whole, digits = (part.decode() for part in among.groups())
-        return f"{whole}.{digits}, with a decimal point"
-    return None
-
-
-def _is_odd(value: str) -> bool:
-    """Whether TOML knows no such value."""
-    try:
-        toml_of(f"value = {value}".encode())
-    except ValueError:
-        return True
-    return False
-
-
 def _each(where: str, key: str, table: dict[str, Any]) -> tuple[Fraction, ...]:
     """A positive number for each particle; none if the file does not have them."""
     if key not in table:
@@ -229,8 +183,7 @@ def _each(where: str, key: str, table: dict[str, Any]) -> tuple[Fraction, ...]:
     if not isinstance(given, list) or len(given) != 3:
         raise InputError(f'{where}: {key}: write one for each particle, like ["1", "2", "1"]')
     found = tuple(
-        (number_in if key == MASSES else _with_unit)(f"{where}: {key} of particle {i}", value)
-        for i, value in enumerate(given)
+        number_in(f"{where}: {key} of particle {i}", value) for i, value in enumerate(given)
     )
     for i, value in enumerate(found):
         if value <= 0:
@@ -258,7 +211,7 @@ def _restitutions(where: str, table: dict[str, Any]) -> tuple[Fraction, Fraction
         r = number_in(f"{where}: {place}", value)
         if not 0 < r < 1:
             raise InputError(
-                f"{where}: {place}: {shown(str(r))} is not in ]0,1[; write for example 3/100"
+                f"{where}: {place}: {shown(str(r))} is not in (0, 1); write for example 3/100"
             )
         found.append(r)
     return found[0], found[1], found[2]
@@ -293,7 +246,7 @@ def _labels(where: str, table: dict[str, Any], unit: Fraction | None) -> Labels:
 
 def _diameter(where: str, table: dict[str, Any]) -> Fraction:
     given = table.get(DIAMETER, 1)
-    unit = _with_unit(f"{where}: {DIAMETER}", given)
+    unit = number_in(f"{where}: {DIAMETER}", given)
     if unit <= 0:
         raise InputError(f"{where}: {DIAMETER}: {shown(str(given))} is not positive; write 0.02")
     return unit
@@ -304,7 +257,10 @@ def _rows(
 ) -> tuple[tuple[Fraction, ...], ...]:
     rows = table[key]
     if not isinstance(rows, list) or len(rows) != 3 or not all(isinstance(x, list) for x in rows):
-        raise InputError(f"{where}: {key}: write three lists of numbers, one for each particle")
+        raise InputError(
+            f"{where}: {key}: write three lists of numbers, one for each particle, like "
+            "[[0, 0], [2, 0], [1, -3]] without quotes around them"
+        )
     return tuple(
         tuple(_coordinate(f"{where}: {key} of particle {i}", value) / unit for value in row)
         for i, row in enumerate(rows)
@@ -317,17 +273,7 @@ def _coordinate(where: str, value: Any) -> Fraction:
             f"{where}: {shown(value)} is not a number; write coordinates, not angles; terms such "
             "as 2*h need a parameter below [parameters]"
         )
-    return _with_unit(where, value)
-
-
-def _with_unit(where: str, value: Any) -> Fraction:
-    """A number without its unit, which is said once for all numbers of the file."""
-    found = re.fullmatch(_QUANTITY, value) if isinstance(value, str) else None
-    if found is None:
-        return number_in(where, value)
-    units = zip(("length_unit", "time_unit"), found.groups()[1:], strict=True)
-    named = " and ".join(f'{key} = "{unit}"' for key, unit in units if unit)
-    raise InputError(f"{where}: {shown(value)} has a unit; write {found[1]}, with {named}")
+    return number_in(where, value)
 
 
 def number_in(where: str, value: Any) -> Fraction:
@@ -358,7 +304,9 @@ def _same_dimension(where: str, vectors: Mapping[str, Sequence[Sequence[Fraction
     if others:
         is_clear = times > len(others)
         told = (f"{name} has {n}" for name, n in (others if is_clear else found).items())
-        advice = f"{usual} for each, like most have" if is_clear else "the same number for all"
+        advice = f"{usual} for each, as most have" if is_clear else "the same number for all"
+        if all(n > usual for n in others.values()) and is_clear:
+            advice += "; a decimal has a point, 0.5 for 0,5"
         raise InputError(f"{where}: numbers of coordinates: {', '.join(told)}; write {advice}")
     if not 1 <= usual <= MAX_DIMENSION:
         raise InputError(
@@ -378,9 +326,7 @@ def _apart(where: str, scene: Scene, unit: Fraction) -> None:
     for i, j in PAIRS:
         gap, _, _ = given.pair(i, j)
         if gap < 0:
-            reach = Fraction(1)
-            if scene.bodies is not None:
-                reach = scene.bodies.radii[i] + scene.bodies.radii[j]
+            reach = scene.contact(i, j)
             raise OverlapError(
                 f"{where}: the particles {i} and {j} overlap by about {_overlap(gap, reach)}: "
                 f"their distance has to be at least {exact_number(reach)}{diameters}"

@@ -7,10 +7,11 @@ from fractions import Fraction
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.spheres.flow.follow import Flow, name_of
+from verify.spheres.flow.follow import name_of
 from verify.spheres.flow.law import Number
 from verify.spheres.scene.decide import Fate
-from verify.spheres.scene.energy import normal_speeds
+from verify.spheres.scene.energy import masses_of, normal_speeds
+from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.verdict import ball_ends
 
 Ends = tuple[Fraction, Fraction]
@@ -45,22 +46,19 @@ def trajectory(found: Fate) -> Iterator[Instant]:
             x = [[_short(a + wait * b, bits) for a, b in zip(*row, strict=True)]
                  for row in zip(x, v, strict=True)]  # fmt: skip
             o, _, c = move.before.frame
-            pushes = _pushes(flow, o, c)
+            parts = shares(flow.scene, o, c)
+            push = speed / balls.exact(flow.scene.contact(o, c))
             for k, (a, b) in enumerate(zip(x[o], x[c], strict=True)):
-                part = speed * (b - a)
-                v[o][k] = _short(v[o][k] - pushes[0] * part, bits)
-                v[c][k] = _short(v[c][k] + pushes[1] * part, bits)
+                v[o][k] = _short(v[o][k] - parts[0] * push * (b - a), bits)
+                v[c][k] = _short(v[c][k] + parts[1] * push * (b - a), bits)
         yield _instant(name_of(move.before.frame), time, x, v, bits)
 
 
-def _pushes(flow: Flow, o: int, c: int) -> tuple[Number, Number]:
-    """The changes of both velocities, per normal speed and per vector between the centres."""
-    whole, bodies = 1 + balls.exact(flow.scene.restitution(o, c)), flow.scene.bodies
-    if bodies is None:
-        return whole / 2, whole / 2
-    masses, reach = bodies.masses, bodies.radii[o] + bodies.radii[c]
-    total = (masses[o] + masses[c]) * reach
-    return whole * balls.exact(masses[c] / total), whole * balls.exact(masses[o] / total)
+def shares(scene: Scene, o: int, c: int) -> tuple[Number, Number]:
+    """The changes of both velocities in a collision, per normal speed."""
+    masses, whole = masses_of(scene), 1 + scene.restitution(o, c)
+    total = masses[o] + masses[c]
+    return balls.exact(whole * masses[c] / total), balls.exact(whole * masses[o] / total)
 
 
 def _short(value: Number, bits: int) -> Number:

@@ -1,4 +1,4 @@
-"""The roots of Q as r runs over ]0,1[, by the parameter m with -m^3 the real one."""
+"""The roots of Q as r runs over (0, 1), by the parameter m with -m^3 the real one."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def figure(cells: Sequence[Roots]) -> Figure:
     widest = max(cell.re[1] - cell.re[0] for cell in cells)
     return Figure(
         "roots",
-        "The roots of Q for every r in ]0,1[",
+        "The roots of Q for every r in (0, 1)",
         f"{len(cells)} intervals of m, where λ₀ = -m³ is the real root and "
         f"r = m(4m²-m+1)/(m²-m+4). "
         f"Left: each box contains a root for every r of its interval (the widest is "

@@ -21,12 +21,12 @@ def export(
     folder: check.Folder,
     *,
     ordinary: bool = False,
-    rows: Callable[[Reading], Collection[str]] = lambda _: (),
+    rows: Callable[[Reading], Collection[str] | None] = lambda _: None,
     ending: Ending | None = None,
 ) -> str:
     """A Coq file that proves the statement from the certificate; also in ordinary notation.
 
-    There it has the ``rows`` of the statement, or all of them if they are none. With ``ending`` the
+    There it has the ``rows`` of the statement, or all of them. With ``ending`` the
     file ends in what that says of the statement.
 
     Raises:

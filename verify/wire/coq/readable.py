@@ -35,11 +35,11 @@ Proof. constructor. Qed.
 """
 
 
-def readable(reading: Reading, form: Readable, names: Collection[str] = ()) -> list[str]:
+def readable(reading: Reading, form: Readable, names: Collection[str] | None) -> list[str]:
     """What is added to the exported file; of the rows those that are named, or all."""
     constants = [form.constant(i, term) for i, term in enumerate(form.constants, 1)]
     found = enumerate(reading.statement.rows.values(), 1)
-    rows = [form.row(i, row) for i, row in found if not names or row.name in names]
+    rows = [form.row(i, row) for i, row in found if names is None or row.name in names]
     constants += [form.end(), *map(form.variable, form.variables)]
     constants += map(form.context, reading.kernel.contexts, count(1))
     if not reading.cites:

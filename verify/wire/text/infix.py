@@ -72,6 +72,9 @@ RELATIONS = ("<", "<=", "=", ">=", ">", "!=")
 #: A decimal with so many digits behind its point is written as a fraction.
 LONGEST_DECIMAL = 20
 
+#: What may be a decimal comma, and so long a text is read again for what is meant by it.
+_DECIMAL_COMMA, MAX_MENDED = re.compile(r"[0-9],[0-9]"), 400
+
 #: The functions of several numbers, and the names that stand for a number.
 MANY = ("min", "max")
 NUMBERS: Mapping[str, Term] = {"pi": pi, "e": exp(1)}
@@ -291,10 +294,31 @@ def read_givens(where: object, text: str, names: Names) -> tuple[Claim, ...]:
 
 def _read(where: object, text: str, names: Names) -> tuple[list[Formula], str]:
     """The formulas in a text, and the word between them."""
+    if _DECIMAL_COMMA.search(text):
+        _test_commas(where, text)
     try:
         return _Reader(where, text, names).formulas()
     except RecursionError as error:
         raise InputError(f"{where}: {shown(text)} nests too deeply; name its parts") from error
+    except InputError as error:
+        from verify.wire.text import instead  # loaded only where it is used
+
+        meant = instead.of_whole(text) if len(text) <= MAX_MENDED else ""
+        if not meant:
+            raise
+        raise InputError(f"{where}: {shown(text, 80)}: {meant}") from error
+
+
+def _test_commas(where: object, text: str) -> None:
+    """Afterwards no comma between arguments may be that of a decimal, as in ``min(1/2, 0,1)``."""
+    from verify.wire.text import instead  # loaded only where it is used
+
+    meant = instead.with_points(text, ()) if len(text) <= MAX_MENDED else text
+    if meant != text and any(f"{name}(" in text for name in MANY):
+        raise InputError(
+            f"{where}: {shown(text, 80)}: a comma may be that of a decimal; write {meant}, or a "
+            "space behind each comma between numbers"
+        )
 
 
 def _joined(
@@ -383,7 +407,11 @@ class _Reader:
     def expect(self, sign: str) -> None:
         """Go on after a sign that has to come next."""
         if not self.take(sign):
-            raise self.error(f"{self.next_word()}, where {sign} is missing")
+            what = ""
+            if self.tokens[self.at][0] == "end" and len(self.text) <= MAX_MENDED // 4:
+                lacking = self.text.count("(") - self.text.count(")") if sign == ")" else 1
+                what = f"; write {self.text.strip()}{sign * lacking}"
+            raise self.error(f"{self.next_word()}, where {sign} is missing{what}")
 
     def next_word(self) -> str:
         """What comes next, in words."""
@@ -602,12 +630,9 @@ class _Reader:
             self.moduli[start, self.at] = found
             return absolute(found)
         self.at -= 1
-        swapped = word in ("<", ">") and self.tokens[self.at - 1] == ("sign", "=")
-        what = ""
-        if swapped:
-            what = f"; write {word}=" + (", or what is given under contexts" if word == ">" else "")
-        elif word == ">" and self.tokens[self.at - 1] == ("sign", "<"):
-            what = "; write !="
+        from verify.wire.text import instead  # loaded only where it is used
+
+        what = instead.of_missing(word, self.tokens[self.at - 1])
         raise self.error(f"{self.next_word()}, where a number or a name is missing{what}")
 
     def _named(self, word: str) -> Value:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
 
+from verify.language.terms import FUNCTIONS as OF_ONE
 from verify.wire.inputs import shown, ungrouped
+from verify.wire.text.letters import FUNCTIONS as SHORT
 
 #: By what an unread part of a text begins with.
 _SIGNS: Mapping[str, str] = {
@@ -19,12 +21,13 @@ _SIGNS: Mapping[str, str] = {
     "['′]": "a name has no prime; write for example x_next",
     "_": "a name begins with a letter",
     ";": "leave it out; each claim is a text of its own",
+    "[≪≫]": "write a bound, such as x < y/100",
     "∞": "leave a bound out that is infinite",
     "∈": "write 0 <= x <= 1 for x in [0, 1]",
     "&|∧": "write and",
     "∨": "write or",
     "¬": "write the opposite claim, such as x > 1 for not x <= 1",
-    "[→⇒⟹⟶]": "there is no implication; write what is given under contexts",
+    "[→⇒⟹⟶⇔↔]": "there is no implication; write what is given under contexts",
     "%": "write 1/2 for 50%; there are no remainders",
     "°": "angles are in radians; write a*pi/180",
     "∛": "write root(x, 3)",
@@ -49,6 +52,7 @@ WORDS: Mapping[str, str] = {
     "if": "write what is given under contexts",
     "then": "write what is given under contexts",
     "implies": "write what is given under contexts",
+    "iff": "write two claims, each in a context of its own",
     "where": "write what is given under contexts",
     "forall": "write its variables under contexts",
     "for": "write its variables under contexts",
@@ -128,3 +132,105 @@ def of_function(name: str, following: Sequence[tuple[str, str]]) -> str:
         return f"{name} is a function; write {name}(...)^{power}"
     inside = word if kind in ("name", "number") else "..."
     return f"{name} is a function; write {name}({inside})"
+
+
+_END = r"\s*([^,;\[\](){}]+?(?:\([^()]*\))?)\s*"
+_IN = re.compile(rf"(.+?)\s*(?:\bin\b|∈)\s*([\[\](]){_END}[,;]{_END}([\[\])])")
+_AMONG = re.compile(r"(.+?)\s*(?:\bin\b|∈)\s*\{([^{}]+)\}")
+_ENDLESS = re.compile(r"[-+]?(?:inf|infinity|infty|oo|∞)")
+_IMPLIES = re.compile(r"(?:if\b)?(.+?)(<==?>|<->|==?>|->|[⇔↔→⇒⟹⟶]|\b(?:implies|then|iff)\b)(.+)")
+_RELATION = re.compile(r"[<>=≤≥≠]")
+_IS = {"positive": "> 0", "negative": "< 0", "nonnegative": ">= 0", "non-negative": ">= 0"}
+_ADJECTIVE = re.compile(rf"(.+?)\s+is\s+({'|'.join(map(re.escape, _IS))}|zero|nonzero)")
+_NARROW = re.compile(r"\d,\d")
+_CALL = re.compile(r"\b([A-Za-z]\w*)\(")
+
+
+def of_whole(text: str) -> str:
+    """What is said of a whole text that no reader of formulas understands; nothing if unknown."""
+    text = text.strip()
+    inside = _IN.fullmatch(text)
+    if inside:
+        return f"an interval is two bounds; write {_bounds(*inside.groups())}"
+    among = _AMONG.fullmatch(text)
+    if among:
+        parts = [f"{among[1]} = {part.strip()}" for part in among[2].split(",")]
+        return f"there are no sets; write {' or '.join(parts)}"
+    said = _ADJECTIVE.fullmatch(text)
+    if said:
+        return f"write {said[1]} {_IS.get(said[2], '= 0' if said[2] == 'zero' else '!= 0')}"
+    implied = _IMPLIES.fullmatch(text)
+    if implied and all(_RELATION.search(side) for side in implied.group(1, 3)):
+        given, claim = (side.strip() for side in implied.group(1, 3))
+        if implied[2] in ("iff", "<=>", "<==>", "<->", "⇔", "↔"):
+            return "there is no equivalence; write a claim for each direction, with a context each"
+        return (
+            f'there is no implication; write given = ["{given}"] in its context, and the claim '
+            f'"{claim}"'
+        )
+    mended = _with_commas(text)
+    return f"write {mended}" if mended != text else ""
+
+
+def _bounds(name: str, opening: str, low: str, high: str, closing: str) -> str:
+    """The bounds of what is in an interval."""
+    below = "" if _ENDLESS.fullmatch(low) else f"{low} {'<=' if opening == '[' else '<'} "
+    above = "" if _ENDLESS.fullmatch(high) else f" {'<=' if closing == ']' else '<'} {high}"
+    return f"{below}{name}{above}" if below or above else "nothing: a variable is any number"
+
+
+def _with_commas(text: str) -> str:
+    """The text with commas between arguments, and with decimal points in them."""
+    around: list[str] = []  # the function of each open parenthesis; none, or a bracket
+    signs = list(text)
+    for i, sign in enumerate(text):
+        if sign == "(":
+            around.append((re.findall(r"[A-Za-z]\w*$", text[:i]) or [""])[0])
+        elif sign == "[":
+            around.append(sign)
+        elif sign in ")]":
+            del around[-1:]
+        elif sign == ";" and around and around[-1]:
+            is_decimal = around[-1] in (*OF_ONE, *SHORT) and text[i + 1 : i + 2].isdigit()
+            signs[i] = "." if is_decimal else ","
+    mended = "".join(signs)
+    if mended == text:
+        return with_points(text, (*OF_ONE, *SHORT))
+    return "".join(
+        "." if sign == "," and _NARROW.match(text[max(0, i - 1) :]) else signs[i]
+        for i, sign in enumerate(text)
+    )
+
+
+def with_points(text: str, of_one: Collection[str]) -> str:
+    """The text with a point for each comma between arguments that is that of a decimal.
+
+    So it is for a comma between digits where others in the same parentheses have a space behind
+    them, and in a function ``of_one`` argument.
+    """
+    signs = list(text)
+    for call in _CALL.finditer(text):
+        depth, commas = 1, []
+        for i in range(call.end(), len(text)):
+            depth += (text[i] in "([") - (text[i] in ")]")
+            if depth == 0:
+                break
+            if depth == 1 and text[i] == ",":
+                commas.append(i)
+        narrow = [i for i in commas if text[i - 1].isdigit() and text[i + 1 : i + 2].isdigit()]
+        if call[1] in of_one or any(text[i + 1 : i + 2] == " " for i in commas):
+            for i in narrow:
+                signs[i] = "."
+    return "".join(signs)
+
+
+def of_missing(word: str, before: tuple[str, str]) -> str:
+    """What to write where a relation follows a relation."""
+    kind, sign = before
+    if kind != "sign":
+        return ""
+    if word in ("<", ">") and sign == "=":
+        return f"; write {word}=" + (", or what is given under contexts" if word == ">" else "")
+    if word == ">" and sign == "<":
+        return "; write !="
+    return f"; write {sign}" if word == "=" and sign in ("<=", ">=") else ""

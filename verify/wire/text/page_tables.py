@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from math import isnan
 from typing import Any
 
 from verify.language.record import TYPE_CHECKING
@@ -433,6 +434,7 @@ class Reader:
             at = self.points.find(new, givens, self.floats, {*around} - {*new})
             if at is None:
                 sides = ", ".join(f"{written} = ..." for written in names)
+                self._have_values(name, givens)
                 wrong = contradiction(new, givens)
                 raise self.places.error(
                     keys,
@@ -451,6 +453,29 @@ class Reader:
         self._states(keys, table, self.contexts[name])
         if "by" in table:
             self.premises[name] = tuple(self.text([*keys, "by"], table["by"], "names").split())
+
+    def _have_values(self, name: str, givens: Sequence[Given]) -> None:
+        """Afterwards no constant in the givens of a context is known to have no value."""
+        from verify.prover.ground import Ground  # loaded only where they are used
+        from verify.prover.session import Session
+
+        claims = [given.claim for given in givens]
+        used = {n for claim in claims for n in names_of(claim.lhs, claim.rhs)}
+        if not any(
+            isnan(self.floats.get(constant.name, 0.0))
+            for constant in self.constants
+            if constant.name in used
+        ):
+            return
+        ground = Ground(Session())
+        for constant in self.constants:
+            ground.know(constant.name, constant.term)
+            why = ground.why_no_value(constant.term)
+            if isnan(self.floats[constant.name]) and why != ground.no_value:
+                keys = ["constants", constant.name]
+                raise self.places.error(
+                    keys, f"{why}, so no point of the context {name} is known; mend it"
+                )
 
     def _states(self, keys: Sequence[str], table: Mapping[str, Any], context: Context) -> None:
         """The states of a context: values of all its variables, under a name."""

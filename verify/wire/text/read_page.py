@@ -20,27 +20,22 @@ or to the context below which it stands. Nothing here is trusted.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import Cite, Obligation
-from verify.wire.inputs import InputError
 from verify.wire.text import Page
 from verify.wire.text.entries import spelled_out
 from verify.wire.text.page_tables import Reader
 from verify.wire.text.places import Places
-from verify.wire.toml import TWICE, TooLongError, toml_of
+from verify.wire.toml import toml_of
 
 if TYPE_CHECKING:
     from verify.language.argument import Chapter
     from verify.wire.text.include import Opened
 
-#: What to write in place of what is no TOML: where its reader says so, and elsewhere.
-NO_TOML: Mapping[str, str] = {
-    **TWICE,
-    "Unescaped '\\'": "TeX is not read, write for example (a/b)*sqrt(x) <= alpha",
-}
+#: What to write where a line is not TOML, and nobody knows what was meant.
 IN_QUOTES = "write formulas and Greek names in quotes"
 
 
@@ -80,16 +75,7 @@ def _whole(path: str, content: bytes, opened: Opened | None) -> tuple[dict[str, 
 
 def _read(path: str, content: bytes) -> tuple[dict[str, Any], Places]:
     """The tables in a file, and where they stand."""
-    try:
-        table, text = toml_of(content)
-    except UnicodeDecodeError as error:
-        raise InputError(f"{path}: is not UTF-8; save it as UTF-8") from error
-    except TooLongError as error:
-        raise InputError(f"{path}: {error}; make it shorter") from error
-    except ValueError as error:
-        why = " ".join(str(error).split())
-        instead = next((text for part, text in NO_TOML.items() if part in why), IN_QUOTES)
-        raise InputError(f"{path}: is not valid TOML ({why}); {instead}") from error
+    table, text = toml_of(path, content, IN_QUOTES)
     places = Places(path, text)
     return spelled_out(table, places), places
 

@@ -144,10 +144,10 @@ def folders_at(paths: Sequence[str]) -> list[check.Folder]:
     for path in paths:
         if not pair and not os.path.isdir(path):
             what = "is a file" if os.path.exists(path) else "does not exist"
-            meant = near(path, PACKAGED_FILES) or f"one of {', '.join(PACKAGED_FILES)}"
+            meant = near(path, PACKAGED_FILES) or "theorem1-all"
             raise InputError(
-                f"path: {shown(path)} {what}; name a folder with {' and '.join(NAMES)}, or {meant}"
-                ", which comes with the program"
+                f"path: {shown(path)} {what}; name a folder with {' and '.join(NAMES)}, or a "
+                f"certificate that comes with the program, such as {meant}"
             )
         for name in paths if pair else [os.path.join(path, name) for name in NAMES]:
             if not os.path.isfile(name):

@@ -180,8 +180,8 @@ def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
         ),
         (["explain", "4.99"], "have rows: (4.59), (4.61), (4.62)\n"),
         (["explain", "9.1"], "no row is about (9.1); write one of the nearest"),
-        (["check", "theorem1-al"], "or theorem1-all, which comes with the program"),
-        (["check", "xyz"], "or one of step, "),
+        (["check", "theorem1-al"], "such as theorem1-all"),
+        (["check", "sandwhich"], "such as sandwich"),
     ],
 )
 def test_one_line_says_what_to_write(

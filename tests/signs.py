@@ -345,6 +345,7 @@ so(P, "numbers, + - · /,", has("verify/check.py", "FUNCTIONS"))
 NAMED = ("h_4", "h_5", "V_0", "V_1")
 said(P, "`C_eta`, {} | α₀", ", ".join(f"`{name}`" for name in NAMED))
 P = "docs/reference/json.md"
+so(P, "`verify-error/1`", has("verify/cli/__init__.py", '"verify-error/1"'))
 so(P, '`"3/100"`', has("tests/points.py", '"3/100"'))
 so(
     P,

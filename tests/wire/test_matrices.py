@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import time
 
 import pytest
 import sympy
@@ -166,3 +167,29 @@ def test_a_line_may_name_its_context() -> None:
 
 def test_fractions_are_exact() -> None:
     assert value('A = [["0.1", "1/3"]]', "A[1, 1] + A[1, 2]") == sympy.Rational(13, 30)
+
+
+FUNCTIONS = "".join(f'"f{i}(x)" = "f{i - 1}(x)*f{i - 1}(x + 1)"\n' for i in range(1, 40))
+CONSTANTS = "".join(f"c{i} = 1\n" for i in range(12_000))
+VECTORS = ", ".join(f'W{i} = "W{i - 1} + W{i - 2}"' for i in range(2, 60))
+OF_VECTORS = f"""[contexts.c]
+variables = "x"
+gram = {{ V = "1" }}
+vectors = {{ W0 = "V", W1 = "V", {VECTORS} }}"""
+
+
+@pytest.mark.parametrize(
+    "text",
+    {
+        "functions": f'[let]\n"f0(x)" = "x + 1"\n{FUNCTIONS}[rows]\nrow = "0 < f39(1)"',
+        "constants": f'[constants]\n{CONSTANTS}[rows]\nrow = "0 < c1"',
+        "abbreviations": f'[let]\n{CONSTANTS}[rows]\nrow = "0 < c1"',
+        "vectors": f'{OF_VECTORS}\n[rows]\nrow = {{ claim = "0 < dot(W59, V)", in = "c" }}',
+    }.values(),
+    ids=["functions", "constants", "abbreviations", "vectors"],
+)
+def test_a_page_that_would_take_long_is_refused(text: str) -> None:
+    begin = time.process_time()
+    with pytest.raises(InputError):
+        read_page("p.toml", f'title = "t"\n{text}'.encode())
+    assert time.process_time() - begin < 6

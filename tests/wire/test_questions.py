@@ -425,3 +425,16 @@ def test_a_row_that_a_given_needs_has_no_other_forms(monkeypatch: pytest.MonkeyP
     outcome = decide_page(page, WorkBudget(seconds=100, watch=watch))
     assert any("defined" in row.name for row, _ in outcome.rows)
     assert outcome.claimed == UNDECIDED
+
+
+def test_a_proof_with_a_number_that_the_checker_does_not_read(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """It is undecided, and no error of our own."""
+    path = tmp_path / "p.toml"
+    path.write_text(
+        'title = "t"\n[contexts.c]\nvariables = "t"\ngiven = ["1 <= t"]\n'
+        'rows = { row = "1/(2*t^2) <= 2/(1e-4000 + 1)^2", other = "0 <= t" }\n'
+    )
+    assert main(["prove", str(path)]) == 3
+    assert "proved    other" in capsys.readouterr().out

@@ -26,9 +26,11 @@ from verify.wire.write import certificate_file, digest, statement_file
 if TYPE_CHECKING:
     from verify.language.argument import Chapter
 
-#: What the checker says where there is more than it reads.
+#: What the checker says where there is more than it reads; a longer number than those that it
+#: reads is no number for it, and so the name of a fact.
 LIMITS = (
-    "found (.*more (work )?than|a number of [0-9]+ bits|a degree above|equations that are too deep)"
+    "found (.*more (work )?than|a number of [0-9]+ bits|a degree above|equations that are too deep|"
+    r"-?[0-9/]+\.\.\. \([0-9]+ characters\), which is no fact)"
 )
 #: What the enclosures at the end of a certificate, and tables of shared terms, may cost.
 RESERVE = check.MAX_WORK // 10

@@ -83,6 +83,8 @@ SUGAR: Mapping[str, Callable[[Term], Term]] = {**letters.FUNCTIONS, "ln": log}
 #: What joins the terms that stand for the numbers from one to another, and so many terms at most.
 SUMS: Mapping[str, Callable[[Term, Term], Term]] = {"sum": Term.__add__, "prod": Term.__mul__}
 MAX_TERMS = 1000
+#: To use a function or a vector of the page costs as much as to read so many signs.
+A_CALL = 150
 #: All that is written like a function.
 DOT = "dot"
 #: What is made of tables.
@@ -666,7 +668,7 @@ class _Reader:
             wanted = f"{word}({', '.join(function.parameters)})"
             raise self.error(f"{word} is of {len(function.parameters)} values; write {wanted}")
         self.names.spent.used.add(word)
-        self._spend(len(str(function.body)))
+        self._spend(A_CALL + len(str(function.body)))
         names = function.names.of(dict(zip(function.parameters, values, strict=True)))
         return read_entries(function.place, function.body, names)
 
@@ -707,6 +709,7 @@ class _Reader:
             raise self.error("an inner product is of two vectors; write dot(x, z)")
         z = self._vector()
         self.expect(")")
+        self._spend(len(x) * len(z))
         try:
             return dot(self.names.gram, x, z)
         except ValueError as error:
@@ -726,6 +729,7 @@ class _Reader:
         for name in self.names.vectors:
             text = self.names.vectors[name]
             if name in set(names_of(term)):
+                self._spend(A_CALL + len(text or ""))
                 known[name] = (
                     basis(name)
                     if text is None

@@ -68,8 +68,9 @@ CITE = ("theorem", "statement_sha256")
 #: A function and its parameters, as ``Q(x, r)``.
 _WORD = r"[A-Za-z][A-Za-z0-9_]*"
 CALL = re.compile(rf"({_WORD})\(\s*({_WORD}(?:\s*,\s*{_WORD})*)\s*\)", re.ASCII)
-#: So many rows are in a page, and names of rows, lemmas, givens and all else.
-MAX_ROWS, MAX_NAMES = 4000, 20_000
+#: So many rows are in a page, and names of rows, lemmas, givens and all else; so many constants,
+#: abbreviations and functions, for each of which all known names are looked through.
+MAX_ROWS, MAX_NAMES, MAX_DEFINED = 4000, 20_000, 4000
 #: What is a name in files.
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,99}", re.ASCII)
 
@@ -95,6 +96,7 @@ class Reader:
         self.granted_by: str | None = None
         self.contexts_cited: dict[str, tuple[tuple[Variable, ...], str | None]] = {}
         self.functions: dict[str, tuple[str, ...]] = {}  # by their names, where they stand
+        self.defined = 0  # how many constants, abbreviations and functions
         self.points = Points()
         self.floats: dict[str, float] = {}  # about what names stand for, to guess points
 
@@ -133,6 +135,14 @@ class Reader:
             raise self.places.error(keys, f"the page has more than {MAX_NAMES} names; split it")
         self.taken[name] = f"is already the name of {'.'.join(keys[:-1]) or 'something'}.{name}"
         return name
+
+    def define(self, keys: Sequence[str]) -> None:
+        """A name is defined, and there are not too many."""
+        self.defined += 1
+        if self.defined > MAX_DEFINED:
+            raise self.places.error(
+                keys, f"the page defines more than {MAX_DEFINED} names; split it"
+            )
 
     def plain(self, keys: Sequence[str], name: str) -> str:
         """What may be a name."""
@@ -329,6 +339,7 @@ class Reader:
 
         One of a set has the letters and the label of an earlier one that is called the same.
         """
+        self.define(place)
         item = entry if isinstance(entry, dict) else {"value": entry}
         self.table(place, item, CONSTANT)
         if "value" not in item:
@@ -505,6 +516,7 @@ class Reader:
         for key, short, home in self.placed(entries, homes):
             place, body, inside = [*keys, key], entries[key], self.scope.inside(home)
             where = self.places.where(place, body)
+            self.define(place)
             match = CALL.fullmatch(short)
             if match:
                 names = tuple(name.strip() for name in match[2].split(","))

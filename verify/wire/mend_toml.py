@@ -9,7 +9,8 @@ import re
 import tomllib
 from contextlib import suppress
 
-from verify.wire.inputs import InputError, hundredth, shown, ungrouped
+from verify.wire.inputs import InputError, shown
+from verify.wire.meant import hundredth, ungrouped
 
 #: A longer line is not shown in a message.
 MAX_SHOWN = 240

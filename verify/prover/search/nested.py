@@ -49,7 +49,7 @@ class Nested:
             definition = self.definitions.get(term.name)
             return term if definition is None else self.form(definition)
         children = term.children
-        if not children:
+        if not children or term.op in ("min", "max"):  # no rule says that these stay the same
             return term
         return TERMS[term.op](*map(self.form, children), *term.args[len(children) :])
 

@@ -78,7 +78,7 @@ REWRITES: list[tuple[str, str, str | Callable[[Match[str]], str]]] = [
     ("a number has a decimal comma", r"= ?([+-]?\d+),(\d+)$", r"= \1.\2"),
     ("a number has a decimal comma", rf"{_FROM}([+-]?\d+),(0\d+){_TO}", r"\1.\2"),
     ("it is in percent", rf"{_FROM}(\d{{1,9}}(?:\.\d+)?) *%{_TO}", lambda m: hundredth(m[1])),
-    ("a number has a unit", rf"{_FROM}({_NUMBER}|\d+/\d+) ?{_UNIT}{_TO}", r"\1"),
+    ("a unit, one for all, is left out", rf"{_FROM}({_NUMBER}|\d+/\d+) ?{_UNIT}{_TO}", r"\1"),
     ("a number of TOML looks otherwise", rf"{_FROM}{_DIGITS}{_AFTER}", _number),
     ("a comma is missing", rf"({_FROM}{_NUMBER}|\]|[{_T}]) +(?={_NEXT})", r"\1, "),
     ("a list stands in brackets", rf"(?<==) *({_ITEM}(?:,{_ITEM})+)$", r" [\1]"),
@@ -102,18 +102,17 @@ def _remedy(text: str, told: str) -> tuple[int, str, str]:
     lines = _LONG_TEXT.sub(lambda found: '"_"' + "\n" * found[0].count("\n"), text).split("\n")
     for start, statement in _statements(lines):
         alone = _told(statement)
-        mended = _mended(statement) if alone else None
-        if mended:
-            return start + 1, mended[0], f"write {mended[1]}"
         if alone:
-            return start + _line_of(alone, 1), *_advice(statement, alone)
+            what, mended = _mended(statement)
+            at = start + (1 if mended else _line_of(alone, 1))
+            return at, *((what, f"write {mended}") if mended else _advice(statement, alone))
     number = min(_line_of(told, len(lines)), len(lines))
     if "Cannot" not in told:  # inside of a text of several lines
         return number, *_advice(re.sub("[\"']", "", text.split("\n")[number - 1]), told)
     *names, name = [line.split("=")[0].strip()[:MAX_SIGNS] for line in lines[:number]]
-    place = f": {name}, in line {number - names[::-1].index(name) - 1} too" if name in names else ""
-    instead = "leave one out, choose another, or write its lines together"
-    return number, f"a name stands there twice{place}", instead
+    what = "a name stands there twice"
+    what += f": {name}, in line {number - names[::-1].index(name) - 1} too" if name in names else ""
+    return number, what, "leave one out, choose another, or write its lines together"
 
 
 def _statements(lines: list[str]) -> Iterator[tuple[int, str]]:
@@ -159,21 +158,20 @@ def _advice(statement: str, told: str) -> tuple[str, str]:
     return what, "leave it out" if re.search(r"Illegal character '(?!\\n)", told) else ""
 
 
-def _mended(statement: str) -> tuple[str, str] | None:
-    """What is wrong with a statement that is not TOML, and the statement as TOML."""
+def _mended(statement: str) -> tuple[str, str]:
+    """What is wrong with a statement that is not TOML, and it as TOML; else nothing."""
     if len(statement) > MAX_SIGNS or '"_"' in statement:
-        return None
+        return "", ""
     line = _masked(_masked(statement, r"[ \t\n]+", " ").strip(), r"(?<=\[) | (?=\])", "")
-    return next(((what, mended) for what, mended in _proposals(line) if not _told(mended)), None)
+    return next((found for found in _proposals(line) if not _told(found[1])), ("", ""))
 
 
 def _proposals(line: str) -> Iterator[tuple[str, str]]:
     """What may be wrong, and a line without that: of each kind alone, then of all in order."""
     for wrong, look, instead in REWRITES[:-1]:  # not the last: others come before quotes
         yield wrong, _masked(line, look, instead)
-    closed = list(_closed(line))
-    yield from closed
-    for what, whole in [("", line), *closed]:
+    yield from _closed(line)
+    for what, whole in (("", line), *_closed(line)):
         for wrong, look, instead in REWRITES:
             before, whole = whole, _masked(whole, look, instead)
             what = what or (wrong if whole != before else "")
@@ -185,10 +183,8 @@ def _hidden(text: str) -> tuple[str, dict[int, str]]:
     texts: dict[int, str] = {}
 
     def sign(found: Match[str]) -> str:
-        if found[1]:
-            return ""
-        texts[_MASK + len(texts)] = found[0]
-        return chr(_MASK + len(texts) - 1)
+        texts[_MASK + len(texts)] = "" if found[1] else found[0]
+        return "" if found[1] else chr(_MASK + len(texts) - 1)
 
     return _TEXT.sub(sign, text), texts
 

@@ -169,7 +169,7 @@ def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["scene", "family.toml", "--grid", "r=0,01..0,05:3"], "write r=0.01..0.05:3\n"),
         (["scene", "family.toml", "--grid", "r=0.01..0.05"], "write r=0.01..0.05:5 for 5 values"),
         (["map", "family.toml", "--x", "r=0.01-0.05"], "write 0.01..0.05\n"),
-        (["map", "unit.toml", "--x", "h"], "h: '0..5 cm' has a unit; write \"0..5\"\n"),
+        (["map", "unit.toml", "--x", "h"], "h: '5 cm' is not an exact number; write 5\n"),
         (["scene", "passing", "--trajectory", "f.xlsx"], "ends in .xlsx; write f.csv"),
         (["theorem1", "--r", "0.03", "--csv", "f.ods"], "ends in .ods; write f.csv"),
         (["export", "step"], "write verify export coq step or verify export text step;"),

@@ -158,7 +158,7 @@ def test_what_is_proposed_works(line: str, mistyped: str, meant: str) -> None:
         ),
         ('a = 1\nb = """\n\\q\n"""\n', "line 3: is not valid TOML (a backslash)"),
         ("r = 1\r\nx = 1/2\r\n", "line 2: is not valid TOML"),
-        ("a = [\n 1,\n x y z\n 2\n]\n", "line 3: is not valid TOML (Invalid value"),
+        ("a = [\n 1,\n x y z\n 2\n]\n", 'write a = [1, "x y z", 2]'),
         ("r =\n", "line 1: is not valid TOML (nothing stands after the =)"),
         ('{"r": 0.05}', "line 1: is not valid TOML (it looks like JSON)"),
         ('a = 1\nb = """\nc\n', 'line 2: is not valid TOML (a text begins with """'),

@@ -8,8 +8,6 @@ import stat
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 
-from verify.prover.decimals import decimal_text, round_decimal
-
 #: Longer texts are refused before any arithmetic.
 MAX_LENGTH = 4000
 #: Larger decimal exponents are refused: 1e99999999 would fill the memory.
@@ -61,7 +59,9 @@ def rational(option: object, text: str) -> Fraction:
         return Fraction(int(match[1]), denominator)
     match = re.fullmatch(_DECIMAL, text)
     if not match or not (match[2] or match[3]):
-        raise InputError(f"{option}: {shown(text)} is not an exact number; write {_meant(text)}")
+        from verify.wire.meant import number  # loaded only where it is used
+
+        raise InputError(f"{option}: {shown(text)} is not an exact number; write {number(text)}")
     exponent_text = match[4] or "0"
     if len(exponent_text.lstrip("+-0")) > 6 or abs(int(exponent_text)) > MAX_EXPONENT:
         raise InputError(
@@ -76,63 +76,6 @@ def rational(option: object, text: str) -> Fraction:
             "write fewer digits or a smaller exponent"
         )
     return value
-
-
-#: What people type for a point, and for a minus sign.
-_TYPED = str.maketrans({",": ".", "−": "-", "–": "-", "\N{ZERO WIDTH NO-BREAK SPACE}": None})
-
-
-def hundredth(percent: str) -> str:
-    """The number that is so many percent, for a decimal with a few digits."""
-    return decimal_text(*round_decimal(Fraction(percent) / 100, 40, up=False))
-
-
-#: A number of a few digits.
-_FEW = r"[+-]?(?:[0-9]{1,9}(?:\.[0-9]{0,40})?|\.[0-9]{1,40})"
-#: Digits in groups, and what may stand behind them.
-_GROUPED = re.compile(
-    r"(-?[1-9][0-9]{0,2})((?:([,.'’_  ])[0-9]{3})(?:\3[0-9]{3})*)(?:[.,]([0-9]+))?"
-)
-
-
-def ungrouped(text: str) -> str:
-    """What to write for a number whose digits stand in groups, as in 1,000; else nothing."""
-    match = _GROUPED.fullmatch(text.strip())
-    if match is None or (match[3] == "." and match[2].count(".") == 1 and match[4] is None):
-        return ""
-    whole = match[1] + re.sub("[^0-9]", "", match[2]) + (f".{match[4]}" if match[4] else "")
-    if match[3] == "," and match[2].count(",") == 1 and match[4] is None:
-        return f"{whole}, or {match[1]}.{match[2][1:]} if the comma is a decimal comma"
-    return whole
-
-
-def _meant(text: str) -> str:
-    """The number that was probably meant, or how numbers are written."""
-    whole = ungrouped(text)
-    if whole:
-        return whole
-    mended = re.sub(
-        r"^(?:[^\W\d]\w*)? ?[=:<>~≈≤≥]+ ?", "", text.translate(_TYPED).strip(" \t{}()\"'`")
-    )
-    percent = re.fullmatch(r"([0-9]{1,9}(?:\.[0-9]{1,9})?) ?%", mended)
-    if percent:
-        return hundredth(percent[1])
-    part = re.fullmatch(r"([0-9]{1,9})/([1-9][0-9]{0,8}) ?%", mended)
-    if part:
-        return str(Fraction(int(part[1]), 100 * int(part[2])))
-    ends = between(text)
-    if ends:
-        return f"{ends} where an interval may stand, or one number"
-    number = re.match(rf"(?:{_FEW}/{_FEW}|{_FEW})(?:e[+-]?[0-9]{{1,3}})?(?![0-9.,/eE])", mended)
-    is_one = number and re.fullmatch(r"[ *]?(?:[^\W\d_]|[°'\"µμ%]|/)*", mended[number.end() :])
-    return number[0] if number and is_one else "it like 0.03, 3/100 or 3e-2"
-
-
-def between(text: str) -> str:
-    """The interval that is meant by two numbers with another sign between, or in brackets."""
-    found = re.fullmatch(rf"[\[(\]]?({_FEW})(?:-|–|—|:|\.{{3,}}|…|,|;| to )({_FEW})[\])\[]?", text)
-    is_decimal = found is not None and text == f"{found[1]},{found[2]}"
-    return f"{found[1]}..{found[2]}" if found and not is_decimal else ""
 
 
 def positive(option: str, text: str) -> Fraction:
@@ -174,6 +117,8 @@ def interval(
         InputError: for any other text, or if the ends are not in order.
     """
     words = text.split("..") * (2 if points and ".." not in text else 1)
+    from verify.wire.meant import between  # loaded only where it is used
+
     meant = between(text)
     if len(words) != 2 or meant or "" in map(str.strip, words):
         instead = meant or "it as 0.01..0.05"
@@ -193,34 +138,11 @@ def integer(option: str, text: str, least: int, most: int) -> int:
         InputError: for anything else.
     """
     if not re.fullmatch(r"[0-9]{1,9}", text) or not least <= int(text) <= most:
-        raise InputError(
-            f"{option}: {shown(text)} is not usable; write "
-            f"{_whole(text, least, most) or f'a whole number from {least} to {most}'}"
-        )
+        from verify.wire.meant import whole  # loaded only where it is used
+
+        meant = whole(text, least, most) or f"a whole number from {least} to {most}"
+        raise InputError(f"{option}: {shown(text)} is not usable; write {meant}")
     return int(text)
-
-
-def _whole(text: str, least: int, most: int) -> str:
-    """The whole number that is meant by 1e3, 1,000, 5s or 2.0; nothing if it is out of bounds."""
-    number = re.match(r"([0-9]{1,9}(?:\.[0-9]{1,9})?)(?:[eE]\+?([0-9]))?", text.strip())
-    if number is None:
-        return ""
-    power = re.fullmatch(r"([0-9]{1,3})(?:\^|\*\*)([0-9]{1,2})", text)
-    value = Fraction(number[1]) * 10 ** int(number[2] or 0)
-    rest = text.strip()[number.end() :].strip()
-    if power:
-        value = Fraction(int(power[1]) ** int(power[2]))
-    elif ungrouped(text):
-        value = Fraction(ungrouped(text).split(",")[0])
-    elif rest.lower() in _THOUSANDS:
-        value *= _THOUSANDS[rest.lower()]
-    elif re.search(r"[0-9]", rest):
-        return ""
-    is_within = value.denominator == 1 and least <= value <= most
-    return f"{value} (a whole number from {least} to {most})" if is_within else ""
-
-
-_THOUSANDS = {"k": 10**3, "thousand": 10**3, "m": 10**6, "million": 10**6}
 
 
 def check_length(option: object, text: str) -> None:

@@ -10,7 +10,8 @@ import tomllib
 from collections.abc import Callable, Iterator
 from re import Match
 
-from verify.wire.inputs import InputError, hundredth
+from verify.wire.inputs import InputError
+from verify.wire.meant import hundredth
 
 #: A longer statement is not mended, and at so many places a mark or a bracket is tried.
 MAX_SIGNS, MAX_PLACES = 240, 12
@@ -137,8 +138,7 @@ def _told(text: str) -> str:
 
 
 def _line_of(told: str, otherwise: int) -> int:
-    found = re.search(r"\(at line (\d+)", told)
-    return int(found[1]) if found else otherwise
+    return int(found[1]) if (found := re.search(r"\(at line (\d+)", told)) else otherwise
 
 
 def _advice(statement: str, told: str) -> tuple[str, str]:
@@ -162,13 +162,15 @@ def _mended(statement: str) -> tuple[str, str]:
     """What is wrong with a statement that is not TOML, and it as TOML; else nothing."""
     if len(statement) > MAX_SIGNS or '"_"' in statement:
         return "", ""
-    line = _masked(_masked(statement, r"[ \t\n]+", " ").strip(), r"(?<=\[) | (?=\])", "")
+    line = _masked(statement.strip(), r"(?<=[^,\[\s])\s*\n\s*(?=[^,\]\s])", ", ")
+    line = _masked(_masked(line, r"[ \t\n]+", " ").strip(), r"(?<=\[) | (?=\])", "")
     return next((found for found in _proposals(line) if not _told(found[1])), ("", ""))
 
 
 def _proposals(line: str) -> Iterator[tuple[str, str]]:
-    """What may be wrong, and a line without that: of each kind alone, then of all in order."""
-    for wrong, look, instead in REWRITES[:-1]:  # not the last: others come before quotes
+    """What may be wrong, and a line without that: each alone, then all in order."""
+    yield "a comma is missing", line
+    for wrong, look, instead in REWRITES[:-1]:  # without quotes for the rest
         yield wrong, _masked(line, look, instead)
     yield from _closed(line)
     for what, whole in (("", line), *_closed(line)):
@@ -205,11 +207,9 @@ def _closed(line: str) -> Iterator[tuple[str, str]]:
         plain, texts = _hidden(text)
         for opening, closing in ("[]", "{}"):
             n = plain.count(opening) - plain.count(closing)
-            found: list[str] = []
+            found = [plain[:n], *_with(opening * -n, "= *", plain)] if n < 0 else []
             if n > 0 and not plain.endswith(opening):
                 found = [*_with(closing * n, r"(?= *, *\[)", plain), plain + closing * n]
-            elif n < 0:
-                found = [plain[:n], *_with(opening * -n, "= *", plain)]
             what = f"not each {opening} has its {closing}"
             yield from ((what, mended.translate(texts)) for mended in found)
 

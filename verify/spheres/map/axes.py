@@ -19,7 +19,8 @@ from verify.spheres.map.planes import FamilyPlane, Place, Scenes, Side, Through
 from verify.spheres.scene.families import Family, FamilyTerms, read_family
 from verify.spheres.scene.scene import Coordinates
 from verify.spheres.scene.scene_files import OPTIONAL, read_scene
-from verify.wire.inputs import InputError, between, rational, shown
+from verify.wire.inputs import InputError, rational, shown
+from verify.wire.meant import between
 
 #: The letters of the operations of terms.
 LETTERS = {"add": "+", "sub": "-", "mul": "*", "div": "/"}

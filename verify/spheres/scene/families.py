@@ -170,10 +170,6 @@ def _side(where: str, name: str, text: object) -> Side:
     words = text.split("..") if isinstance(text, str) else []
     if len(words) != 2:
         raise InputError(f'{place}: {shown(str(text))} is no interval; write it like "0..0.1"')
-    numbers = [re.match(r"[-+]?[0-9][0-9./]*(?:[eE][-+]?[0-9]+)?(?= ?[^\W\d_])", w) for w in words]
-    if any(numbers):
-        bare = "..".join(n[0] if n else w.strip() for n, w in zip(numbers, words, strict=True))
-        raise InputError(f'{place}: {shown(str(text))} has a unit; write "{bare}"')
     low, high = (rational(place, word) for word in words)
     if not low < high:
         raise InputError(f"{place}: {shown(str(text))} is not A < B; write such an interval")

@@ -34,7 +34,7 @@ from verify.language.terms import (
     symbol,
     unequal,
 )
-from verify.wire.inputs import InputError, nearest, rational, shown, ungrouped
+from verify.wire.inputs import InputError, nearest, rational, shown
 from verify.wire.text import letters
 from verify.wire.text.letters import GREEK, NAMES, name_of
 from verify.wire.text.matrices import (
@@ -474,6 +474,8 @@ class _Reader:
             return "; write each claim as a text of its own, in a list"
         if before[0] == "number" == following[0]:
             number = f"{before[1]},{following[1]}"
+            from verify.wire.meant import ungrouped  # loaded only where it is used
+
             return f"; write {ungrouped(number) or number.replace(',', '.')}"
         return ""
 

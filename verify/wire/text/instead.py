@@ -8,7 +8,8 @@ from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
 
 from verify.language.terms import FUNCTIONS as OF_ONE
-from verify.wire.inputs import shown, ungrouped
+from verify.wire.inputs import shown
+from verify.wire.meant import ungrouped
 from verify.wire.text.letters import FUNCTIONS as SHORT
 
 #: By what an unread part of a text begins with.

@@ -148,23 +148,23 @@ BAD = {
     ),
     "a-unit": (
         GOOD.replace("-1.006", '"2 cm"'),
-        "positions of particle 2: '2 cm' has a unit; write 2, with all lengths in one unit",
+        "positions of particle 2: '2 cm' has a unit; write 2, with all lengths",
     ),
     "speed": (
         GOOD.replace("-1.4", '"-1.4 m/s"'),
-        'write -1.4, with all velocities in one unit (length_unit = "m" and',
+        "'-1.4 m/s' has a unit; write -1.4, with all lengths",
     ),
     "diameter-unit": (
         GOOD + 'diameter = "2mm"\n',
-        'write 2, with all lengths in one unit (length_unit = "mm" names it)',
+        "'2mm' has a unit; write 2, with all lengths",
     ),
     "radii-unit": (
         GOOD + 'radii = ["1 m", 1, 1]\n',
-        'write 1, with all lengths in one unit (length_unit = "m" names it)',
+        "'1 m' has a unit; write 1, with all lengths",
     ),
     "mass-unit": (
         GOOD + 'masses = ["1 kg", 1, 1]\n',
-        "'1 kg' has a unit; write 1: only the ratios of masses matter",
+        "'1 kg' has a unit; write 1, with all lengths",
     ),
     "angle": (GOOD.replace("-1.006", '"-1.5*cos(30°)"'), "write coordinates, not angles"),
     "diameter": (GOOD + 'diameter = "0"\n', "diameter: '0' is not positive"),

@@ -39,7 +39,6 @@ from verify.spheres.scene.scene_files import (
     scene_from,
     toml_table,
 )
-from verify.spheres.scene.units import refuse_units
 from verify.wire.inputs import InputError, rational, shown
 
 PARAMETERS = "parameters"
@@ -147,7 +146,6 @@ def read_family(where: str, content: bytes) -> Family:
         raise InputError(f"{where}: r: {R_AT_THE_TOP}")
     for name in given:
         _test_name(where, name)
-    refuse_units(where, table, given)
     sides = {name: _side(where, name, text) for name, text in given.items()}
     if isinstance(table.get("r"), str) and ".." in table["r"]:
         sides["r"] = _side(where, "r", table["r"])

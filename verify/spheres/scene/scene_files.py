@@ -32,11 +32,14 @@ from verify.spheres.scene.scene import (
     coordinates,
     pair_name,
 )
-from verify.spheres.scene.units import refuse_units
 from verify.wire.inputs import InputError, rational, regular_file, shown
 from verify.wire.toml import toml_of
 
 KEYS = ("r", "positions", "velocities")
+#: A number with a unit: ``2 cm``, ``-1.4 m/s``.
+_QUANTITY = re.compile(
+    r"([+-]?[0-9][0-9./]*(?:[eE][+-]?[0-9]+)?) ?(?!pi|deg|rad|[eE][+-]?[0-9]|[xob][0-9])[^\W\d_].*"
+)
 #: The diameter of the particles in the file's own unit of length; 1 without it.
 DIAMETER = "diameter"
 #: In place of r, for each pair by its name.
@@ -96,7 +99,6 @@ def scene_from(where: str, table: dict[str, Any]) -> Scene:
     Raises:
         InputError: naming the file, the key, and what to write instead.
     """
-    refuse_units(where, table)
     both = _restitutions(where, table)
     unit = _diameter(where, table)
     masses, radii = _each(where, MASSES, table), _each(where, RADII, table)
@@ -283,7 +285,16 @@ def number_in(where: str, value: Any) -> Fraction:
         InputError: for anything else.
     """
     if isinstance(value, str):
-        return rational(where, value)
+        try:
+            return rational(where, value)
+        except InputError as error:
+            quantity = _QUANTITY.fullmatch(value)
+            if quantity is None:
+                raise
+            raise InputError(
+                f"{where}: {shown(value)} has a unit; write {quantity[1]}, with all lengths "
+                "(diameter = too), all velocities and all masses in one unit each"
+            ) from error
     if type(value) is int:
         return rational(where, str(value))
     raise InputError(f'{where}: {shown(str(value))} is not a number; write it like 0.03 or "3/100"')

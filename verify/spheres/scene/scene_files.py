@@ -292,8 +292,8 @@ def number_in(where: str, value: Any) -> Fraction:
             if quantity is None:
                 raise
             raise InputError(
-                f"{where}: {shown(value)} has a unit; write {quantity[1]}, with all lengths "
-                "(diameter = too), all velocities and all masses in one unit each"
+                f"{where}: {shown(value)} has a unit; write {quantity[1]}: all lengths are in "
+                "one unit, also the diameter, and so are all velocities and all masses"
             ) from error
     if type(value) is int:
         return rational(where, str(value))

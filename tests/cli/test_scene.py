@@ -148,23 +148,23 @@ BAD = {
     ),
     "a-unit": (
         GOOD.replace("-1.006", '"2 cm"'),
-        "positions of particle 2: '2 cm' has a unit; write 2, with all lengths",
+        "positions of particle 2: '2 cm' has a unit; write 2: all lengths are in one unit",
     ),
     "speed": (
         GOOD.replace("-1.4", '"-1.4 m/s"'),
-        "'-1.4 m/s' has a unit; write -1.4, with all lengths",
+        "'-1.4 m/s' has a unit; write -1.4: all lengths are in one unit",
     ),
     "diameter-unit": (
         GOOD + 'diameter = "2mm"\n',
-        "'2mm' has a unit; write 2, with all lengths",
+        "'2mm' has a unit; write 2: all lengths are in one unit",
     ),
     "radii-unit": (
         GOOD + 'radii = ["1 m", 1, 1]\n',
-        "'1 m' has a unit; write 1, with all lengths",
+        "'1 m' has a unit; write 1: all lengths are in one unit",
     ),
     "mass-unit": (
         GOOD + 'masses = ["1 kg", 1, 1]\n',
-        "'1 kg' has a unit; write 1, with all lengths",
+        "'1 kg' has a unit; write 1: all lengths are in one unit",
     ),
     "angle": (GOOD.replace("-1.006", '"-1.5*cos(30°)"'), "write coordinates, not angles"),
     "diameter": (GOOD + 'diameter = "0"\n', "diameter: '0' is not positive"),

@@ -18,8 +18,10 @@ SLOW = Path(__file__).with_name("slow.txt").read_text(encoding="utf-8").split()
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """The marker is known; who starts tests in the background ignores no interrupt of theirs."""
+    """The marker is known; whoever starts tests in the background ignores no signal of theirs."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
     config.addinivalue_line("markers", "slow: left out where no file is named; see slow.txt")
 
 

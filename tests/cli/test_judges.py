@@ -31,7 +31,9 @@ from verify.wire import packaged
 
 ROOT = Path(__file__).resolve().parents[2]
 #: What nobody may say without a judge.
-VERDICT = re.compile(r"\b(?:proved|PROVED|collapses|disperses)\b|^finite|\"finite", re.MULTILINE)
+VERDICT = re.compile(
+    r"\b(?:(?<!not )proved|PROVED|collapses|disperses)\b|^finite|\"finite", re.MULTILINE
+)
 #: A heading before numbers, which are 0 then.
 SHARES = re.compile(r"^Rows proved, of those needed:(?!.* [1-9][0-9]*/)", re.MULTILINE)
 POINT = "--r 0.03"

@@ -113,7 +113,7 @@ def test_explain_proves_nothing_anew_unless_the_paper_has_changed(
         anew = [run(capsys, *command) for command in words]
     finally:
         index.lines.cache_clear()
-    assert made[0] == "proving flow"
+    assert made[0] == "proving flow …"
     assert anew == [(code, out.replace(SHIPPED, CHECKER), err) for code, out, err in expected]
 
 

@@ -104,7 +104,7 @@ def _decide(
     known = told(found)
     if not wants_document:
         return _without_document(name, known, judge_of(False))
-    after = afterwards(found, limits)
+    after = afterwards(found, None if limits.digits is None else limits)
     if out is None:
         return _result(name, known, after, "")
     place = os.path.join(out, os.path.splitext(name)[0])

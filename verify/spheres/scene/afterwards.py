@@ -55,12 +55,15 @@ class Afterwards(Record):
         return max(Fraction(0), *found)
 
 
-def afterwards(found: Fate, budget: Budget) -> Afterwards | None:
+def afterwards(found: Fate, budget: Budget | None) -> Afterwards | None:
     """What comes after a collapse; None without one.
 
     The velocities have as many digits as are asked for, in proportion to the largest difference of
     two: more collisions are followed for them than the theorem needs, as far as the budget goes.
+    Without a budget they are as the theorem's first state shows them.
     """
+    if budget is None:
+        return _at_the_end(found)
     known, digits = _at_the_end(found), DIGITS if budget.digits is None else 2 * budget.digits
     needed = Fraction(1, 10 ** (budget.digits or DIGITS))
     while known is not None and known.width > needed * known.spread:

@@ -110,7 +110,9 @@ def cutoff_line(verdict: str, cutoff: str, count: tuple[int, int] | None) -> str
     if verdict != COLLAPSES:
         return "--cutoff: no collapse is proved"
     if count is None:
-        return f"when less time than {cutoff} is left is not known; allow more --collisions"
+        return (
+            f"{cutoff} before the collapse is not reached; write a larger --cutoff or --collisions"
+        )
     least, most = count
     number = str(least) if least == most else f"{least} to {most}"
     words = "1 collision" if count == (1, 1) else f"{number} collisions"

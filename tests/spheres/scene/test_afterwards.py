@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from itertools import pairwise
+from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -19,7 +20,9 @@ from verify.spheres.scene.afterwards import MEET, TOGETHER, Afterwards, afterwar
 from verify.spheres.scene.decide import COLLAPSES, Budget, Fate, decide_scene
 from verify.spheres.scene.energy import energy_at_start, masses_of
 from verify.spheres.scene.scene import PAIRS, Scene
+from verify.spheres.scene.scene_files import read_scene
 
+ROOT = Path(__file__).resolve().parents[3]
 #: Collisions of the simulation: of the speeds that are left at most 10^-8 remains.
 FAR = 120
 
@@ -178,6 +181,16 @@ def test_a_cutoff_needs_a_collapse_and_a_budget() -> None:
     assert collisions_until(decide_scene(on_a_line("0.5")), Fraction(1), Budget()) is None
     found = decide_scene(aligned())
     assert collisions_until(found, Fraction(1, 10**60), Budget(collisions=10)) is None
+
+
+def test_no_scene_is_followed_further_than_its_numbers_reach() -> None:
+    """However many collisions are allowed: a light ball's speeds fall by 2 % each."""
+    (scene,) = scenes(12, 1)
+    bead = read_scene("bead", (ROOT / "certificates/scenes/bead.toml").read_bytes())
+    for one in (scene, bead):
+        found, many = decide_scene(one), Budget(collisions=10**7)
+        assert collisions_until(found, Fraction(1, 10**4000), many) is None
+        assert (afterwards(found, many) is None) == (found.collapse is None)
 
 
 def distance(x: list[Any], w: list[Any], time: Any) -> Any:

@@ -65,8 +65,9 @@ def afterwards(found: Fate, budget: Budget | None) -> Afterwards | None:
     if budget is None:
         return _at_the_end(found)
     known, digits = _at_the_end(found), DIGITS if budget.digits is None else 2 * budget.digits
-    needed = Fraction(1, 10 ** (budget.digits or DIGITS))
-    while known is not None and known.width > needed * known.spread:
+    needed, tried = Fraction(1, 10 ** (budget.digits or DIGITS)), 0
+    while known is not None and known.width > needed * known.spread and tried < MAX_DIGITS:
+        tried = digits = min(digits, MAX_DIGITS)
         more = _at_the_end(decide_scene(found.flow.scene, budget._replace(digits=digits)))
         if more is None or more.width >= known.width:  # the budget is spent
             break
@@ -80,14 +81,16 @@ def collisions_until(found: Fate, cutoff: Fraction, budget: Budget) -> tuple[int
     It is between two numbers; None without a collapse, or if the budget does not suffice.
     """
     start, digits = (Fraction(0), Fraction(0)), 0
-    while (whole := time_ends(found)) is not None and digits <= MAX_DIGITS:
+    while (whole := time_ends(found)) is not None and digits < MAX_DIGITS:
         low, high = whole
+        if high >= cutoff * 10**MAX_DIGITS:  # no scene is followed to so many digits
+            return None
         times = [start, *(ball_ends(m.after.time, found.flow.bits) for m in found.flow.collisions)]
         least = next((n for n, (_, late) in enumerate(times) if low - late < cutoff), None)
         most = next((n for n, (early, _) in enumerate(times) if high - early < cutoff), None)
         if least is not None and most is not None:
             return least, most
-        digits = max(digits + 8, len(str(int(high / cutoff))) + 3)
+        digits = min(max(digits + 8, len(str(int(high / cutoff))) + 3), MAX_DIGITS)
         found = decide_scene(found.flow.scene, budget._replace(digits=digits))
     return None
 

@@ -524,9 +524,9 @@ said(
     "mass × diameter²/time²; each mass is 1 unless",
     by="mass × diameter²/time²;" + coded("1", "docs/howto/masses.md", "masses = [1, 5"),
 )
-ELASTIC = coded("1", "verify/spheres/scene/scene_files.py", "if not 0 < r <= 1:")
+ELASTIC = coded("r = 1", "verify/spheres/scene/scene_files.py", "if not 0 < r <= 1:")
 P = "docs/howto/masses.md"
-said(P, "Some of them, or all, may be 1:", by=ELASTIC)
+said(P, "Some of them, or all, may be 1:", by=ELASTIC.removeprefix("r = "))
 MASSES = between(1, 2, "m₀", "m₁", "u", "r")
 true("m₀ (1 + r) u m₁/(m₀ + m₁) = m₁ (1 + r) u m₀/(m₀ + m₁)", MASSES)
 said(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from verify.language.statement import Always, Applies
@@ -25,6 +26,34 @@ MAX_SIGNS = 1 << 15
 MAX_LEVELS = 100
 LONG = "(long: see the statement file)"
 _BINARY = ("add", "sub", "mul", "div")
+
+_SPELLED = ((r"\cdot", "·"), (r"\sqrt", "√"), ("−", "-"))
+_BRACKETS = re.compile(r"\([^()]*\)|\{[^{}]*\}|\|[^|]*\|")
+#: A function of what follows, or signs of a sum behind the first.
+_OF_A_SUM = re.compile(r"(?<![A-Za-z])(?:cos|sin|tan|exp|log|ln)(?![A-Za-z])|.[-+]")
+#: Signs of a product, and what stands beside another without one.
+_OF_A_PRODUCT = re.compile(r"[/·]|.\*\w|[⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ][^\W\d_]|^[0-9]+[^\W\d]")
+_OF_A_POWER = re.compile(r"[⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ]|^√")
+
+
+def level_of(letter: str) -> int:
+    """How tightly a letter, plain or in LaTeX, holds together: as the term that it looks like.
+
+    The letters 1+d', -η and r^(1/3) stand for one symbol, and are read as a sum, a negation and a
+    power; what is in brackets, in an index or in an exponent does not matter.
+    """
+    for sign, other in _SPELLED:
+        letter = letter.replace(sign, other)
+    rest, before = letter, ""
+    while rest != before:
+        rest, before = _BRACKETS.sub("x", rest), rest
+    is_power = "^" in rest
+    rest = re.sub(r"[\^_].", "", rest)
+    if _OF_A_SUM.search(rest):
+        return _SUM
+    if _OF_A_PRODUCT.search(rest) or rest.startswith("-"):
+        return _NEGATION
+    return _POWER if is_power or _OF_A_POWER.search(rest) else _ATOM
 
 
 class Lengths:
@@ -133,6 +162,8 @@ class Typesetter:
     def _inside(self, term: Term, level: int) -> str:
         text = self.term(term)
         own = _LEVELS.get(term.op, _ATOM)
+        if term.op == "symbol":
+            own = level_of(text)
         if term.op == "rational" and (term.value < 0 or term.value.denominator > 1):
             own = _NEGATION if term.value < 0 else _PRODUCT
         return text if own >= level else f"({text})"

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from verify.language.statement import Always, Applies, Obligation
-from verify.language.terms import Claim
+from verify.language.terms import Claim, symbol
 from verify.language.typeset import LONG
 from verify.prover.outcome import Decision, Outcome
 from verify.publication import REPAIRED, Publication
@@ -60,7 +60,8 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
             sign, bound = bounds.get(one.name, ("=", one))
             least = minimum_of(outcome, one).least if one.term.op == "min" else None
             told = "" if least is None else f" (entry {least} is the least)"
-            letter = one.letter + (f" ({group})" if group else "")
+            letter = typesetter.term(symbol(one.name))
+            letter += f" ({group})" if group and letter != one.name else ""
             yield letter, words.ends_told(ends), f"{sign} {typesetter.term(bound.term)}{told}"
 
     return {
@@ -75,6 +76,7 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
         "printed": paper.printed,
         "claim": claim,
         "told": told,
+        "symbol": symbol,
         "term": lambda one: brief(typesetter.term(one)),
         "evidence": evidence,
         "short_name": words.short_name,

@@ -103,7 +103,7 @@ def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["separatrix", "--r", "0.03", "--at", "-1/10"], "is negative; write for example 1/10"),
         (["separatrix", "--r", "0.03", "--digits", "0"], "write a whole number from 1 to 1000"),
         (["separatrix", "--r", "0.03", "--budget", "x"], "write a whole number from 1"),
-        (["scene", "outside.toml"], "outside.toml: r: '2' is not in (0, 1); write"),
+        (["scene", "outside.toml"], "outside.toml: r: '2' is not in (0, 1]; write"),
         (["scene", "nan.toml"], "nan.toml: r: "),
         (["scene", "words.toml"], "words.toml: "),
         (["scene", "huge.toml"], "huge.toml: positions of particle 1: "),

@@ -85,6 +85,12 @@ def in_a_line(text: str) -> str:
     return re.sub("[ \n]+", " ", text).strip(" ")
 
 
+def in_markdown(text: str) -> str:
+    """The same in Markdown: no tag or comment begins in it, and all signs of it are seen."""
+    seen = "".join(x if x.isprintable() else ascii(x)[1:-1] for x in in_a_line(text))
+    return re.sub("<(?=[A-Za-z/!?])", "&lt;", seen)
+
+
 def prose_between(markup: str) -> str:
     """Markup in a line, with each text between its tags set as a sentence."""
     parts = _TAGS.split(in_a_line(markup))
@@ -105,7 +111,7 @@ def in_html(name: str, content: Mapping[str, Any], filters: Filters = ()) -> str
 
 @cache
 def markdown_template(name: str) -> Template:
-    """A template in Markdown, which has no tags: nothing is escaped but bars in tables."""
+    """A template in Markdown, which has no tags: what would be read as one is escaped."""
     return _environment((), _cells_in_markdown).get_template(name)
 
 
@@ -136,7 +142,7 @@ def _environment(filters: Filters, cells: Callable[..., Any]) -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    found.filters |= {"letters": in_letters, "cells": cells}
+    found.filters |= {"letters": in_letters, "cells": cells, "in_markdown": in_markdown}
     found.filters |= {one.__name__: one for one in filters}
     return found
 
@@ -155,7 +161,7 @@ def _cells_in_html(rows: Iterable[Iterable[object]], raw: bool = False) -> list[
 
 def _cells_in_markdown(rows: Iterable[Iterable[object]]) -> list[list[str]]:
     """The cells of a table; bars inside of one are escaped."""
-    return [[in_a_line(str(cell)).replace("|", "\\|") for cell in row] for row in rows]
+    return [[in_markdown(str(cell)).replace("|", "\\|") for cell in row] for row in rows]
 
 
 def is_narrow(cells: Sequence[Sequence[str]], head: Sequence[str]) -> bool:

@@ -510,8 +510,10 @@ class Reader:
             gram = (gram_of if kinds == ["gram"] else products_of)(known)
         except ValueError as error:
             raise self.places.error(place, str(error)) from error
-        for name in (*(name for pair in gram for name in pair), *texts):
+        for name in {name: None for pair in gram for name in pair} | texts:
             self.plain(place, name)
+            if name in inside.known or name in inside.short:
+                raise self.places.error(place, self._is_taken(name))
         self.scope.span(home, gram, texts)
 
     def let(self, keys: Sequence[str], value: object, homes: Sequence[str | None]) -> None:

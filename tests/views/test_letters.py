@@ -89,6 +89,7 @@ def test_levels_of_letters() -> None:
     tight = ("η", "(1+d')", "|η_c|", "Q_{n+1}", "T*", "(-η)₀", "x_row", r"\overline{\eta}")
     assert all(level_of(one) < level_of("x") for one in loose)
     assert all(level_of(one) == level_of("x") for one in tight)
+    assert level_of("(" * 10**6 + ")" * 10**6) < level_of("x")  # at once
 
 
 def test_a_name_that_is_e_is_no_exponential() -> None:

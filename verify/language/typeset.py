@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from functools import lru_cache
 
 from verify.language.statement import Always, Applies
 from verify.language.terms import Claim, Term, signs_in
@@ -36,12 +37,19 @@ _OF_A_PRODUCT = re.compile(r"[/·]|.\*\w|[⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ][^\W\d_
 _OF_A_POWER = re.compile(r"[⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ]|^√")
 
 
+#: A longer letter is taken for a sum.
+MAX_LETTER = 200
+
+
+@lru_cache(1000)
 def level_of(letter: str) -> int:
     """How tightly a letter, plain or in LaTeX, holds together: as the term that it looks like.
 
     The letters 1+d', -η and r^(1/3) stand for one symbol, and are read as a sum, a negation and a
     power; what is in brackets, in an index or in an exponent does not matter.
     """
+    if len(letter) > MAX_LETTER:
+        return _SUM
     for sign, other in _SPELLED:
         letter = letter.replace(sign, other)
     rest, before = letter, ""

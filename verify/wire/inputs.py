@@ -159,10 +159,11 @@ def check_length(option: object, text: str) -> None:
 
 def shown(text: str, most: int = 40) -> str:
     """A text as an error message quotes it: in quotes, and cut if longer than ``most``."""
-    return repr(_cut(text, most))
+    return repr(cut(text, most))
 
 
-def _cut(text: str, most: int = 100) -> str:
+def cut(text: str, most: int = 100) -> str:
+    """A text, without its middle if it is longer."""
     return text if len(text) <= most else f"{text[: most // 2]}...{text[-most // 4 :]}"
 
 
@@ -186,6 +187,6 @@ def nearest(name: str, known: Iterable[str], otherwise: str = "") -> str:
     names = list(known)
     meant = near(name, names)
     if meant:
-        return f"did you mean {_cut(meant)}?"
-    some = ", ".join(map(_cut, names[:8])) + (", ..." if len(names) > 8 else "")
+        return f"did you mean {cut(meant)}?"
+    some = ", ".join(map(cut, names[:8])) + (", ..." if len(names) > 8 else "")
     return otherwise or (f"write one of {some}" if some else "there is none")

@@ -22,9 +22,8 @@ _QUOTED = re.compile(
     re.DOTALL,
 )
 _WORD = re.compile(r"[^\s\[\]{},=.]++")
-_KEY = re.compile(
-    rf"(?<![^\s\[\]{{}},=.])(?=[^\s\[\]{{}},=.])(?:[^\s\[\]{{}},=.]*+[ \t]*+\.[ \t]*+){{{MAX_PARTS}}}"
-)
+_PART = r"[^\s\[\]{},=.]"
+_KEY = re.compile(rf"(?<!{_PART})(?={_PART})(?:{_PART}*+[ \t]*+\.[ \t]*+){{{MAX_PARTS}}}")
 
 
 class TooLongError(ValueError):

@@ -619,10 +619,12 @@ class Reader:
         if isinstance(entry, str):
             parts = _at_commas(entry) if ":" in entry else entry.replace(",", " ").split()
             pairs = [[_unquoted(part.strip()) for part in text.split(":", 2)] for text in parts]
+            self._are_different(place, [name for name, *_ in pairs])
             entry = {name: letters for name, *letters in pairs}
         if "variables" not in table and not entry:
             raise self.places.error(keys, 'it has no variables; write variables = ["x"]')
         names = () if isinstance(entry, dict) else self.texts(place, entry)
+        self._are_different(place, names)
         items = entry if isinstance(entry, dict) else {name: {} for name in names}
         found = {}
         for key, item in items.items():
@@ -633,6 +635,14 @@ class Reader:
             found[written] = Variable(name, *letters)
             self.scope.add(written, name, home)
         return found
+
+    def _are_different(self, keys: Sequence[str], names: Sequence[str]) -> None:
+        """Afterwards no variable stands there twice."""
+        known: set[str] = set()
+        for name in names:
+            if name in known:
+                raise self.places.error(keys, f"{shown(name)} stands there twice; leave one out")
+            known.add(name)
 
     def _point(
         self, keys: Sequence[str], value: object, names: Mapping[str, Variable], parent: str | None

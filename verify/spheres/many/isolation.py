@@ -82,7 +82,8 @@ def scene_of(
     first = motion.at(members[0], time)
     rows = [([ZERO] * len(first.x), [ZERO] * len(first.x))]
     for k, shift in zip(members[1:], shifts, strict=True):
-        rows.append(motion.difference(first, motion.at(k, time), shift))
+        x, w = motion.difference(first, motion.at(k, time), shift)
+        rows.append((list(x), list(w)))
     x, v = ([row[part] for row in rows] for part in (0, 1))
     near = [[tuple(balls.short_rational(a) for a in row) for row in part] for part in (x, v)]
     scene = motion.system.three(members, *near)

@@ -180,9 +180,8 @@ class Run:
         if len(events) > 1:
             check_apart(motion, before, events)
         self.queue.after(events)
-        if all(balls.is_same(event.time, events[0].time) for event in events[1:]):
-            for event in events:
-                self.found = self.found or self._after(event)
+        for event in events:
+            self.found = self.found or self._after(event)
         if self.found is None and len(self.contacts) >= self.next_groups:
             self.found, self.next_groups = self.by_groups(), 2 * len(self.contacts)
 
@@ -204,11 +203,13 @@ class Run:
         if found is None:
             return None
         says = f"the bounces of ball {ball} on wall {wall} accumulate"
-        later, reach = found
+        end, normal = time + found, self.motion.normals[wall]
+        above = self.motion.approach(ball, wall, end).gap / self.motion.norms[wall] ** 2
+        x = self.motion.at(ball, end).x  # bounces change the velocity along the normal only
+        place = [ball_ends(a - above * n, self.bits) for a, n in zip(x, normal, strict=True)]
         return self._end(RESTS, BOUNCES, says)._replace(
-            members=(ball,), wall=wall, time=ball_ends(time + later, self.bits),
-            place=self._place(ball, time, later, reach),
-        )  # fmt: skip
+            members=(ball,), wall=wall, time=ball_ends(end, self.bits), place=place
+        )
 
     def _collapse(self, members: tuple[int, int, int], time: Number) -> Ending | None:
         found = find_three(self.queue, members, time)
@@ -276,7 +277,7 @@ class Run:
         near = [nearest(self.motion, members[0], k, time) for k in members[1:]]
         scene, given = scene_of(self.motion, members, near, time)
         flow = Flow(scene, self.bits)
-        flow.start, flow.is_on_a_line = given, scene.dimension == 1
+        flow.start, flow.is_on_a_line = given, self.system.is_on_a_line
         left = max(self.budget.collisions - len(self.contacts), 0)
         fate = follow(flow, Budget(left, None, self.bits, self.bits))
         if fate.collapse is None or flow.now is None:

@@ -15,6 +15,7 @@ contact the distance would be larger than σ.
 A ball that falls back to a wall with the speed u along the normal n, and with the acceleration -g,
 meets it again after the times 2u/g, 2ur/g, …: all bounces are over after 2u/(g(1-r)). The changes
 of its velocity add up to (1+r)u/(1-r), and the same condition says that nothing else meets it.
+Other balls that bounce meanwhile are looked at in the same way, with the speeds at which they land.
 """
 
 from __future__ import annotations
@@ -127,18 +128,38 @@ def impulses(bodies: Bodies, found: Collapse) -> tuple[Number, Number, Number]:
     return middle, outer[1], outer[0]
 
 
-def find_rest(queue: Queue, ball: int, wall: int, time: Number) -> tuple[Number, Number] | None:
+def find_rest(queue: Queue, ball: int, wall: int, time: Number) -> Number | None:
     """After which time all bounces of a ball on a wall are over, which it has just met.
 
-    With how far it is from its way in free flight at most, divided by the time.
+    Other balls may bounce meanwhile, too, if each does so on one wall and comes to rest no sooner.
     """
     motion = queue.motion
-    way, r = motion.approach(ball, wall, time), motion.system.walls[wall].r
+    way = motion.approach(ball, wall, time)
     if not (way.fall < 0 and way.rate > 0):
         return None
-    later = 2 * way.rate / -way.fall / balls.exact(1 - r)
-    reach = way.rate * balls.exact((1 + r) / (1 - r)) / motion.norms[wall]
-    return (later, reach) if stays_alone(queue, {ball: reach}, time, later, wall) else None
+    later, reach = _bounces(motion, wall, way.rate, way.fall)
+    members, walls = {ball: reach}, {ball: wall}
+    for event in queue.apart_from(members):
+        k, own = event.who[0], -1 - event.who[1]
+        if time + later < event.time:
+            continue
+        if not event.is_bounce or event.unclear or k in walls:
+            return None
+        way, r = motion.approach(k, own, event.time), motion.system.walls[own].r
+        if not (way.fall < 0 and way.rate < 0):
+            return None
+        rest, members[k] = _bounces(motion, own, -way.rate, way.fall)
+        walls[k] = own
+        if event.time + rest * balls.exact(r) < time + later:
+            return None
+    return later if stays_alone(queue, members, time, later, walls) else None
+
+
+def _bounces(motion: Motion, wall: int, speed: Number, fall: Number) -> tuple[Number, Number]:
+    """How long bounces last that begin at such a speed, and how much they change the velocity."""
+    r = motion.system.walls[wall].r
+    change = speed * balls.exact((1 + r) / (1 - r)) / motion.norms[wall]
+    return 2 * speed / -fall / balls.exact(1 - r), change
 
 
 def stays_alone(
@@ -146,11 +167,12 @@ def stays_alone(
     members: Mapping[int, Number],
     start: Number,
     later: Number,
-    wall: int | None = None,
+    on: Mapping[int, int] = {},
 ) -> bool:
     """True only if nothing else meets these balls within a time, and no others meet.
 
-    Each ball may be off its way in free flight by so much per time; one may meet the wall.
+    Each ball may be off its way in free flight by so much per time, and meet the wall that ``on``
+    names.
     """
     motion, end = queue.motion, start + later
     if queue.limit is not None and not end < queue.limit:
@@ -171,10 +193,10 @@ def stays_alone(
             x, w = motion.difference(motion.at(i, start), motion.at(j, start), shift)
             if not is_apart(x, w, balls.exact(motion.system.contact(i, j)), slope, later):
                 return False
-    walls = [other for other in range(len(motion.normals)) if other != wall]
     return all(
-        _is_off(motion.approach(i, other, start), members[i] * motion.norms[other], later)
-        for i, other in product(members, walls)
+        _is_off(motion.approach(i, wall, start), members[i] * motion.norms[wall], later)
+        for i, wall in product(members, range(len(motion.normals)))
+        if on.get(i) != wall
     )
 
 

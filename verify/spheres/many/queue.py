@@ -97,7 +97,8 @@ class Queue:
         count = self.motion.system.number
         self.heap.clear()
         if self.motion.box:
-            fastest = max(abs(b) for _, _, v in self.floats for b in v)
+            speeds = zip(*(v for _, _, v in self.floats), strict=True)
+            fastest = max(max(row) - min(row) for row in speeds)
             wait = PART * min(self.sides) / fastest if fastest > 0 else 1
             start = ZERO if self.limit is None else self.limit
             self.limit = start + balls.exact(Fraction(f"{wait:.3g}"))
@@ -330,7 +331,9 @@ def meeting(pair: Pair) -> Number | Doubt | None:
     if never_meets(pair):
         return None
     if not (g >= 0 and p < 0):
-        return Doubt(ZERO, "may approach or part", UNCLEAR)
+        most = balls.as_ball(p).abs_upper()
+        soonest = g / (2 * most) if g > 0 and most > 0 else ZERO  # as g + 2pt + mt² >= g - 2|p|t
+        return Doubt(soonest, "may approach or part", UNCLEAR)
     below_root = p * p - m * g
     if below_root > 0:
         return g / (balls.any_root(below_root) - p)

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from verify.language.record import Record
+from verify.spheres.flow.line import is_on_a_line
 from verify.spheres.scene.scene import PAIRS, Bodies, Labels, Scene
 
 Vector = tuple[Fraction, ...]
@@ -51,6 +52,15 @@ class System(Record):
     def is_open(self) -> bool:
         """Whether there are neither walls nor a box."""
         return not self.walls and not self.box
+
+    @property
+    def is_on_a_line(self) -> bool:
+        """Whether the balls are and stay on one line, and there are no walls."""
+        others = range(2, self.number)
+        rows = (self.positions, self.velocities)
+        scenes = (self.three(n, *([row[k] for k in n] for row in rows))
+                  for n in ((0, 1, other) for other in others))  # fmt: skip
+        return self.is_open and all(map(is_on_a_line, scenes))
 
     def restitution(self, i: int, j: int) -> Fraction:
         """The coefficient of restitution of a pair."""

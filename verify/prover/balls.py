@@ -318,11 +318,6 @@ def as_float(value: Any) -> float:
     return float(as_ball(value).mid())
 
 
-def error(value: Any) -> float:
-    """About how far the numbers of a ball are from its middle at most; 0 for a rational number."""
-    return float(as_ball(value).rad())
-
-
 def is_within_reach(ball: arb) -> bool:
     """Whether a ball is finite, and neither its middle nor its radius too large or small to write.
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from typing import Any
 
-from verify.prover.decimals import decimal_text, outward, round_decimal
+from verify.prover.decimals import decimal_text, outward, round_decimal, short
 from verify.prover.ground import FLINT
 
 FORMAT = "verify-many/1"
@@ -23,6 +23,7 @@ COMPUTED = (
 #: A record of the spheres whose entries are read: `verify.spheres.many.decide.Ending`.
 Ending = Any
 Scene = Any
+Ends = tuple[Fraction, Fraction]
 
 
 def exit_code(found: Ending) -> int:
@@ -30,7 +31,7 @@ def exit_code(found: Ending) -> int:
     return UNDECIDED_CODE if found.verdict == UNDECIDED else 0
 
 
-def many_lines(found: Ending, shown: Any) -> Iterator[str]:
+def many_lines(found: Ending, shown: Callable[[Ends], list[str]]) -> Iterator[str]:
     """What ended the run, for a reader."""
     count, labels = len(found.contacts), found.system.labels
     unit = f" {labels.time_unit}" if labels.time_unit else ""
@@ -41,16 +42,16 @@ def many_lines(found: Ending, shown: Any) -> Iterator[str]:
         yield f"undecided: {found.says}; certain: {count} collisions"
         return
     yield f"{found.verdict}: {found.says}, {after}"
-    if found.time is not None:
+    if found.verdict == RESTS:
+        yield f"time {short(found.time)}{unit}"
+    if found.verdict == COLLAPSES:
         low, high = shown(found.time)
-        name = "collapse time" if found.verdict == COLLAPSES else "time"
-        yield f"{name} in [{low}, {high}]{unit}"
-    if found.angle is not None:
+        yield f"collapse time in [{low}, {high}]{unit}"
         low, high = shown(found.angle)
         yield f"ball {found.members[0]} is in the middle; final -cos θ in [{low}, {high}]"
     if found.place:
-        ends = (shown(ends) for ends in found.place)
-        yield f"ball {found.members[0]} is then at {' x '.join(f'[{a}, {b}]' for a, b in ends)}"
+        rows = ["[{}, {}]".format(*shown(e)) if found.angle else short(e) for e in found.place]
+        yield f"ball {found.members[0]} is then at {' x '.join(rows)}"
 
 
 def origin_lines(found: Ending, certificate: str) -> Iterator[str]:

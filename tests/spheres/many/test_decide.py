@@ -16,7 +16,7 @@ from verify.spheres.scene.decide import Budget, decide_scene
 LIMITS = Budget(200)
 
 
-def contradictions(found: Ending, dps: int = 120) -> list[str]:
+def contradictions(found: Ending, dps: int = 300) -> list[str]:
     """Where a simulation with so many digits differs: the pair, the time or the speed."""
     wrong = []
     with mp.workdps(dps):

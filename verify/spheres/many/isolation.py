@@ -171,8 +171,8 @@ def stays_alone(
 ) -> bool:
     """True only if nothing else meets these balls within a time, and no others meet.
 
-    Each ball may be off its way in free flight by so much per time, and meet the wall that ``on``
-    names.
+    Each ball may be off its way in free flight by so much per time. They meet one another, or else
+    each the wall that ``on`` names.
     """
     motion, end = queue.motion, start + later
     if queue.limit is not None and not end < queue.limit:
@@ -182,7 +182,9 @@ def stays_alone(
     pairs = [(i, k) for i in members for k in range(motion.system.number) if k not in members]
     slopes = {pair: members[pair[0]] for pair in pairs}
     slopes |= {(i, j): members[i] + members[j] for i, j in combinations(members, 2)}
-    near = {k: nearest(motion, next(iter(members)), k, start) for k in members}
+    # Three that collapse meet one another, but no images of one another.
+    three = () if on else members
+    near = {k: nearest(motion, next(iter(members)), k, start) for k in three}
     first = balls.as_float(start)
     span = first, max(first, balls.as_float(end))
     for (i, j), slope in slopes.items():

@@ -29,11 +29,17 @@ def contradictions(found: Ending, dps: int = 300) -> list[str]:
     """
     with mp.workdps(dps):
         simulated = Simulation(found.system).events(len(found.contacts) + AFTERWARDS)
-        for n, own in enumerate(found.impacts()):
+        left = list(found.impacts())
+        while left:
             pair, time, speed = next(simulated)
+            own = next((one for one in left if one.pair == pair), left[0])
+            # Those before it may come later if their times are not told apart.
+            before = left[: left.index(own)]
+            together = all(one.time[1] >= own.time[0] for one in before)
             ends = ((own.time, time), (own.speed, speed))
-            if own.pair != pair or not all(is_in(*one) for one in ends):
-                return [f"{n}: {own.pair} at {own.time}, {pair} at {time}"]
+            if own.pair != pair or not together or not all(is_in(*one) for one in ends):
+                return [f"{own.pair} at {own.time}, {pair} at {time}"]
+            left.remove(own)
         if found.verdict in (COLLAPSES, RESTS):
             return list(wrong_afterwards(found, simulated))
         if found.verdict == DISPERSES and found.why == APART:
@@ -59,10 +65,13 @@ def wrong_afterwards(found: Ending, simulated: Iterator[tuple[str, mpf, mpf]]) -
             last = time if pair == f"{ball}-wall{wall}" else last
     else:
         o, s, c = found.members
-        for n, (pair, time, _) in enumerate(simulated):
-            if pair != name_of(o, s if n % 2 else c):
-                yield f"then {pair}, number {n}"
-            last = time
+        turns = [name_of(o, c), name_of(o, s)]
+        seen = [(pair, time) for pair, time, _ in simulated if found.place or pair in turns]
+        pairs, last = [pair for pair, _ in seen], seen[-1][1]
+        # Groups are followed on alone: it is not known here how many collisions come before.
+        in_turn = {*pairs[-6::2]} != {*pairs[-5::2]} and {*pairs[-6:]} == {*turns}
+        if not in_turn or (found.place and pairs != turns * (len(pairs) // 2)):
+            yield f"then {seen}"
     low, high = (mpf(end.numerator) / end.denominator for end in found.time or ())
     if last is None or last > high or (found.verdict == COLLAPSES and last < low):
         yield f"the last time is {last}"

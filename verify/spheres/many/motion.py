@@ -1,10 +1,11 @@
 """Where the balls are, and how they move between contacts and in them.
 
 Each ball has a straight way since its last contact, or a parabola: where it is, or would be, on
-that at an exact time close to the contact. What is not known of the time of a contact so enters the
-ways after it only times the change of velocity there, which is small where balls collapse. Numbers
-are exact rationals while these are short, and balls of arithmetic around the true ones elsewhere.
-Under gravity all balls fall alike, so that pairs move as without it.
+that at an exact time close to a collision, or at the time of a bounce. What is not known of the
+time of a collision so enters the ways after it only times the change of velocity there, which is
+small where balls collapse. Numbers are exact rationals while these are short, and balls of
+arithmetic around the true ones elsewhere. Under gravity all balls fall alike, so that pairs move as
+without it.
 """
 
 from __future__ import annotations
@@ -55,6 +56,8 @@ class Motion:
         self.balls = [
             Ball(ZERO, [balls.exact(a) for a in x], [balls.exact(a) for a in v]) for x, v in rows
         ]
+        #: Of a ball that has met a wall last: that wall, and the rate at which it left.
+        self.on: dict[int, tuple[int, Number]] = {}
         self.gravity = [balls.exact(g) for g in system.gravity]
         self.box = [balls.exact(side) for side in system.box]
         self.normals = [[balls.exact(a) for a in wall.normal] for wall in system.walls]
@@ -68,7 +71,7 @@ class Motion:
         """The ball in free flight at another time."""
         start, x, v = self.balls[i]
         wait = time - start
-        if wait == 0:
+        if time is start or wait == 0:
             return self.balls[i]
         place = [a + wait * b for a, b in zip(x, v, strict=True)]
         if self.gravity:
@@ -92,10 +95,12 @@ class Motion:
 
     def approach(self, i: int, wall: int, time: Number) -> Approach:
         """How a ball moves towards a wall."""
+        fall = inner(self.normals[wall], self.gravity) if self.gravity else ZERO
+        if time is self.balls[i].time and self.on.get(i, (None, None))[0] == wall:
+            return Approach(ZERO, self.on[i][1], fall)
         ball, n, level = self.at(i, time), self.normals[wall], self.system.walls[wall].level
         reach = balls.exact(self.system.radii[i]) * self.norms[wall]
         gap = inner(n, ball.x) - balls.exact(level) - reach
-        fall = inner(n, self.gravity) if self.gravity else ZERO
         return Approach(gap, inner(n, ball.v), fall)
 
     def collide(self, i: int, j: int, time: Number, shift: Shift) -> Number:
@@ -111,12 +116,36 @@ class Motion:
         return push * reach
 
     def bounce(self, i: int, wall: int, time: Number) -> Number:
-        """Afterwards the ball has met the wall; the normal speed just before is given back."""
-        n, norm = self.normals[wall], self.norms[wall]
-        speed = -inner(n, self.at(i, time).v) / norm
-        part = speed * balls.exact(1 + self.system.walls[wall].r) / norm
-        self._change(i, time, [part * a for a in n])
-        return speed
+        """Afterwards the ball has met the wall; the normal speed just before is given back.
+
+        That follows from the energy of the flight, so that it is not less certain than at the start
+        of the flight. What changes along the normal is known without the time.
+        """
+        n, norm, fixed = self.normals[wall], self.norms[wall], self.system.walls[wall]
+        way, ball = self.approach(i, wall, self.balls[i].time), self.at(i, time)
+        energy = way.rate * way.rate - 2 * way.fall * way.gap
+        rate = balls.any_root(energy) if way.fall != 0 else -way.rate
+        after = rate * balls.exact(fixed.r)
+        reach = balls.exact(fixed.level) + balls.exact(self.system.radii[i]) * norm
+        x, v = (
+            [self.short(b + a * height / norm**2) for a, b in zip(n, flat, strict=True)]
+            for flat, height in (
+                (self._flat(wall, ball.x), reach),
+                (self._flat(wall, ball.v), after),
+            )
+        )
+        self.balls[i], self.on[i] = Ball(time, x, v), (wall, after)
+        return rate / norm
+
+    def _flat(self, wall: int, row: Vector) -> Vector:
+        """The part of a vector along a wall; a part that is 0 for any vector is exactly 0."""
+        n = self.system.walls[wall].normal
+        square = sum((a * a for a in n), Fraction(0))
+        found = []
+        for k, a in enumerate(n):
+            parts = [(balls.exact((k == j) - a * b / square), row[j]) for j, b in enumerate(n)]
+            found.append(reduce(add, (part * x for part, x in parts if part != 0), ZERO))
+        return found
 
     def _change(self, i: int, time: Number, change: Vector) -> None:
         """Afterwards the velocity of a ball has changed at a time."""
@@ -124,4 +153,5 @@ class Motion:
         _, x, v = self.at(i, near)
         off = time - near
         x = [self.short(a - off * b) for a, b in zip(x, change, strict=True)]
+        self.on.pop(i, None)
         self.balls[i] = Ball(near, x, [self.short(a + b) for a, b in zip(v, change, strict=True)])

@@ -133,7 +133,7 @@ class Queue:
         ball, least = self.motion.balls[i], float(min(self.motion.system.radii)) * CERTAIN
         limit = balls.as_float(self.limit - ball.time)
         for row, size in ((ball.x, 1.0), (ball.v, max(limit, 0.0))):
-            if any(float(balls.as_ball(a).rad()) * size > least for a in row):
+            if not all(float(balls.as_ball(a).rad()) * size <= least for a in row):
                 raise UnclearError(f"the place of ball {i} is not known well enough")
 
     def _foresee(self, i: int, j: int, met: Event | None) -> None:
@@ -194,8 +194,9 @@ class Queue:
         unclear, name = "", ""
         if isinstance(wait, Doubt):
             wait, unclear, name = wait
-        event = Event(time + wait, who, shift, stamps, unclear, name)
-        self.put_back([event])
+        if not balls.as_ball(wait).is_finite():
+            wait, unclear, name = ZERO, "meet at an unknown time", UNCLEAR
+        self.put_back([Event(time + wait, who, shift, stamps, unclear, name)])
 
     # --- what comes next --------------------------------------------------------------------------
 

@@ -16,6 +16,7 @@ from typing import Any
 
 from verify.prover.decimals import exact_number
 from verify.spheres.many.system import System, Wall, name_of
+from verify.spheres.scene.scene import PAIRS, pair_name
 from verify.spheres.scene.scene_files import (
     BOX,
     DIAMETER,
@@ -131,6 +132,8 @@ def _restitutions(
         return _coefficient(f"{where}: {key}", given), {}
     pairs = {name_of(i, j): (i, j) for i, j in combinations(range(number), 2)}
     own = {name: value for name, value in given.items() if name != OTHERS}
+    if {*own} == {pair_name(i, j) for i, j in PAIRS} and number == len(PAIRS):
+        own = {f"{name[0]}-{name[1]}": value for name, value in own.items()}
     for name in own:
         if name not in pairs:
             raise InputError(

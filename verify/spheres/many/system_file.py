@@ -4,7 +4,8 @@ Besides what a scene of three has there may be ``gravity = [0, "-9.81"]``, an ac
 ``walls = [{normal = [0, 1], level = 0, r = "0.5"}]``, each the half-space normal·x >= level, or
 ``box = [10, 10]``, the periods of a box that repeats itself in all directions. Where pairs differ,
 ``restitution = {"others" = "0.9", "0-1" = "0.5"}`` gives them their own coefficients. Lengths are
-in the unit of the file; without ``radii`` all particles have the ``diameter``, or else 1.
+in the unit of the file; without ``radii`` all particles have the ``diameter``, or else 1. In place
+of positions and velocities ``particles = "state.csv"`` names a file that has them.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from itertools import combinations, product
 from typing import Any
 
 from verify.prover.decimals import exact_number
+from verify.spheres.many.particles_file import with_particles
 from verify.spheres.many.system import System, Wall, name_of
 from verify.spheres.scene.scene import PAIRS, pair_name
 from verify.spheres.scene.scene_files import (
@@ -27,6 +29,7 @@ from verify.spheres.scene.scene_files import (
     MASSES,
     MAX_BYTES,
     OPTIONAL,
+    PARTICLES,
     RADII,
     RESTITUTION,
     SURROUNDINGS,
@@ -53,7 +56,8 @@ def is_many(table: Mapping[str, Any]) -> bool:
     """Whether a file has more particles than three, or what a scene of three has not."""
     rows = table.get(KEYS[1])
     has_more = isinstance(rows, list) and len(rows) > len(KEYS)
-    return "parameters" not in table and (has_more or any(key in table for key in SURROUNDINGS))
+    own = (PARTICLES, *SURROUNDINGS)
+    return "parameters" not in table and (has_more or any(key in table for key in own))
 
 
 def table_in(where: str, content: bytes) -> dict[str, Any]:
@@ -73,6 +77,8 @@ def system_from(where: str, table: dict[str, Any]) -> System:
     Raises:
         InputError: naming the file, the key, and what to write instead.
     """
+    if PARTICLES in table:
+        table = with_particles(where, table)
     _check_keys(where, table)
     given = table[KEYS[1]]
     number = len(given) if isinstance(given, list) else 0

@@ -55,6 +55,8 @@ MAX_LABEL = 80
 NO_PHYSICS = frozenset(("force", "forces", "friction", "rotation", "spin", "spins"))
 #: What only a file that is decided alone may have; it may have more than three particles, too.
 GRAVITY, WALLS, BOX = SURROUNDINGS = ("gravity", "walls", "box")
+#: In place of positions and velocities: the name of a file beside that of the scene.
+PARTICLES = "particles"
 MAX_DIMENSION = 20
 MAX_BYTES = 1 << 20
 
@@ -161,7 +163,7 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
             raise InputError(f"{where}: r: {R_AT_THE_TOP}")
         if odd[0] in KEYS:
             raise InputError(f"{where}: {shown(odd[0])} is missing; write {', '.join(KEYS)}")
-        if odd[0] in SURROUNDINGS:
+        if odd[0] in (PARTICLES, *SURROUNDINGS):
             raise InputError(f"{where}: {odd[0]}: {ALONE}")
         if odd[0].lower() in NO_PHYSICS:
             raise InputError(

@@ -11,18 +11,27 @@ nothing, and fails if anything would change.
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Iterator
 from hashlib import sha256
 from pathlib import Path
 
+from verify import check
 from verify.paper.commands import index
 from verify.paper.commands.pages import decide, whole
 from verify.paper.commands.places import places
 from verify.paper.parameters import AS_PRINTED
 from verify.paper.theorem1 import COMPILED, PAGE, as_read
 from verify.wire.compiled import compiled
-from verify.wire.packaged import DIGESTS, PACKAGED, PACKAGED_FILES, PAGES
+from verify.wire.packaged import (
+    DIGESTS,
+    PACKAGED,
+    PACKAGED_FILES,
+    PAGES,
+    cited_digests,
+    packaged_statements,
+)
 from verify.wire.write import write
 
 ROOT = Path(__file__).parents[1]
@@ -34,10 +43,11 @@ def files() -> Iterator[tuple[Path, bytes]]:
     code = Path(DIGESTS).read_text(encoding="utf-8")
     for name, old in PACKAGED_FILES.items():
         made = write(decide("printed_rows")) if name == AS_PRINTED else {}
-        for file in old:
-            content = made.get(file) or (ROOT / "certificates" / name / file).read_bytes()
-            code = code.replace(old[file], sha256(content).hexdigest())
-            yield Path(PACKAGED, name, file), content
+        contents = {f: made.get(f) or (ROOT / "certificates" / name / f).read_bytes() for f in old}
+        line = " ".join(sha256(content).hexdigest() for content in contents.values())
+        work = work_of(*contents.values())
+        code = re.sub(f"(?m)^certificate {name} .*$", f"certificate {name} {line} {work}", code)
+        yield from ((Path(PACKAGED, name, file), content) for file, content in contents.items())
     for page, (name, old) in PAGES.items():
         made = write(decide(page))
         here = ROOT / "certificates" / name
@@ -50,6 +60,12 @@ def files() -> Iterator[tuple[Path, bytes]]:
     page_of_theorem = Path(PAGE).read_bytes()
     yield Path(COMPILED), compiled(as_read(page_of_theorem), page_of_theorem).encode()
     yield Path(index.INDEX), index.text(places()).encode()
+
+
+def work_of(statement: bytes, certificate: bytes) -> int:
+    """What the checker counts."""
+    cited = packaged_statements(cited_digests(statement))
+    return check.check(statement, certificate, cited).work
 
 
 def main() -> int:

@@ -38,6 +38,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache, lru_cache, partial
 from hashlib import sha256
+from itertools import chain
 from math import isqrt
 from typing import Any, NamedTuple
 
@@ -818,8 +819,10 @@ def digits_of(plane: Plane) -> str:
 
 def part(ends: Side, place: int, level: int) -> Interval:
     """One of 2^level equal parts of a side."""
-    width = (ends[1] - ends[0]) / 2**level
-    return around(ends[0] + width * place)[0], around(ends[0] + width * (place + 1))[1]
+    (p, m), (q, n) = (end.as_integer_ratio() for end in ends)
+    first, step, under = p * n << level, q * m - p * n, m * n << level
+    low, high = (first + step * i << PLACES for i in (place, place + 1))
+    return low // under, -(-high // under)
 
 
 def corner(key: str) -> tuple[int, int]:
@@ -1232,7 +1235,7 @@ def prove(
             continue
         if any(x[0] > x[1] for x in state):
             continue  # no state of the box is in this branch
-        bits = max(n.bit_length() for x in state for n in x)
+        bits = max(map(int.bit_length, chain.from_iterable(state)))
         if bits > MAX_BITS:
             raise RefusedError("the numbers of a state are too large to go on")
         steps += len(numbers)

@@ -39,6 +39,8 @@ FILES = {
     b'velocities = [[0, 0], [-1.4, 0], [0.7, -0.1]]\n[parameters]\nh = "0..0.1"\n',
     "unit.toml": b'r = 0.01\npositions = [[0, 0], [1.002, 0], [-1.006, "h"]]\n'
     b'velocities = [[0, 0], [-1.4, 0], [0.7, -0.1]]\n[parameters]\nh = "0..5 cm"\n',
+    "long.toml": b'title = "t"\n[contexts.b]\nvariables = ["x"]\n'
+    b'given = ["1 <= x", "x <= 10^(-999)"]\n[rows]\nr = "0 < x"\n',
     "outside.toml": b'r = "2"\npositions = [["0", "0"], ["2", "0"], ["-2", "0"]]\n'
     b'velocities = [["0", "0"], ["0", "0"], ["0", "0"]]',
 }
@@ -101,7 +103,7 @@ def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["separatrix", "--r", "0.03", "--at", "-1/10"], "is negative; write for example 1/10"),
         (["separatrix", "--r", "0.03", "--digits", "0"], "write a whole number from 1 to 1000"),
         (["separatrix", "--r", "0.03", "--budget", "x"], "write a whole number from 1"),
-        (["scene", "outside.toml"], "outside.toml: r: '2' is not in (0, 1); write"),
+        (["scene", "outside.toml"], "outside.toml: r: '2' is not in (0, 1]; write"),
         (["scene", "nan.toml"], "nan.toml: r: "),
         (["scene", "words.toml"], "words.toml: "),
         (["scene", "huge.toml"], "huge.toml: positions of particle 1: "),
@@ -116,6 +118,7 @@ def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["prove", "null.json"], "STATEMENT: "),
         (["prove", "digits.json"], "STATEMENT: "),
         (["prove", "folder"], "cannot be read"),
+        (["prove", "long.toml"], "says 0 ≤ -99999999999999999999...9999999999; mend one of them"),
         (["check", "object.json"], "is a file; name a folder"),
         (["check", "folder"], "name a certificate's folder"),
         (["check", MEAN, "missing"], "'missing' does not exist"),

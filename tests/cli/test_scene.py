@@ -101,7 +101,7 @@ BAD = {
     "overlap": (GOOD.replace("501/500", "1/2"), "0 and 1 overlap by about 0.5: their distance"),
     "overlap-of-1e-74": (GOOD.replace("501/500", "0." + "9" * 74), "overlap by about 1E-74"),
     "overlap-of-2": (GOOD.replace("-1.006", "0.2"), "0 and 2 overlap by about 0.785:"),
-    "r": (GOOD.replace("0.03", "1"), "r: '1' is not in (0, 1)"),
+    "r": (GOOD.replace("0.03", "1.5"), "r: '3/2' is not in (0, 1]"),
     "no-number": (
         GOOD.replace("-1.006", '"one"'),
         "positions of particle 2: 'one' is not an exact",

@@ -48,6 +48,16 @@ def test_a_given_that_nothing_defines_is_named() -> None:
     assert "its given box.2 was not seen to be defined" in found.decisions["row"].reason
 
 
+@pytest.mark.parametrize(
+    "given",
+    ["n <= log(0)", "n*1/0 <= 1", "n <= log(-1)", "n <= sqrt(-1)", "n <= (-8)^(1/3) + 1/n"],
+)
+def test_what_no_sign_defines_ends_the_search(given: str) -> None:
+    text = page(["n"], ["0 <= n", given], "0 <= n + 1").decode()
+    found = outcome(text.replace("[rows]", "point = { n = 1 }\n[rows]"))
+    assert found.exit_code == 3
+
+
 INDUCTION = """title = "t"
 [contexts.step]
 variables = ["n", "s"]

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.bring import work_of
 from tests.paper.spectrum.page import changed
 from verify import check
 from verify.cli import main
@@ -14,7 +15,7 @@ from verify.paper.commands.spectrum import PAGE, cite_spectrum, state_spectrum
 from verify.paper.parameters import ALL, AS_PRINTED
 from verify.prover.outcome import Outcome
 from verify.wire.judge import known
-from verify.wire.packaged import PACKAGED, PACKAGED_FILES, packaged_files
+from verify.wire.packaged import PACKAGED, PACKAGED_FILES, packaged_files, packaged_work
 from verify.wire.write import write
 
 CERTIFICATES = Path(__file__).parents[2] / "certificates"
@@ -26,6 +27,14 @@ def test_what_comes_with_the_program_is_what_is_committed(name: str) -> None:
     for file, content in zip(PACKAGED_FILES[name], packaged_files(name), strict=True):
         assert (CERTIFICATES / name / file).read_bytes() == content
     assert {path.name for path in Path(PACKAGED, name).iterdir()} == set(PACKAGED_FILES[name])
+
+
+@pytest.mark.parametrize("name", PACKAGED_FILES)
+def test_its_work_is_what_the_checker_counts(name: str) -> None:
+    """If not: python -m tests.bring."""
+    files = packaged_files(name)
+    assert packaged_work(*files) == work_of(*files)
+    assert packaged_work(files[0], files[1] + b" ") is None
 
 
 def test_the_printed_rows_come_as_they_are_decided() -> None:

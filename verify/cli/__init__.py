@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Sequence
 from contextlib import suppress
@@ -91,7 +92,11 @@ def _is_lack(error: OSError) -> bool:
 
 
 def _fail(message: str, code: int, words: Sequence[str] = ()) -> int:
-    """Say why there is no answer: on stderr, and as a document where one is asked for."""
+    """Say why there is no answer: on stderr, and as a document where one is asked for.
+
+    Numbers of more than a hundred digits are cut.
+    """
+    message = re.sub("([0-9]{20})[0-9]{70,}([0-9]{10})", r"\1...\2", message)
     if "--json" in words and words[0] in COMMANDS:
         import json  # loaded only where it is used
 

@@ -108,7 +108,12 @@ def _read_scenes(options: Options) -> Plane:
     written = {"--x": options.x} | ({} if options.y is None else {"--y": options.y})
     axes = [axis_in(option, text) for option, text in written.items()]
     fixed = {} if options.at is None else point_in("--at", options.at)
-    return plane_in(options.plane, read_bytes("plane", options.plane), axes, fixed)
+    plane = plane_in(options.plane, read_bytes("plane", options.plane), axes, fixed)
+    if plane.r == 1:
+        raise InputError(
+            "plane: a map is about r < 1; of elastic scenes verify scene decides those of a --grid"
+        )
+    return plane
 
 
 def run(options: Options) -> int:

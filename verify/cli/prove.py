@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import sys
-from fractions import Fraction
 from hashlib import sha256
 
 from verify import check
@@ -17,13 +15,11 @@ from verify.cli.files import (
     read_bytes,
     read_cited,
     test_folder,
-    write_certificate,
 )
 from verify.cli.options import COLOR, JSON, Options, Usage
 from verify.cli.steps import Steps
 from verify.cli.terminal import show
-from verify.language.statement import NEEDED, PRINTED, UNDECIDED, Obligation, Statement
-from verify.language.terms import Claim
+from verify.language.statement import NEEDED, PRINTED, Obligation, Statement
 from verify.prover.budget import WORK, WorkBudget
 from verify.prover.outcome import Outcome
 from verify.publication import NOBODYS, Publication
@@ -54,15 +50,18 @@ def run(options: Options) -> int:
     """Print a line for each row or the document, write the files, return the exit code."""
     options.STATEMENT = example(options.STATEMENT)
     work = WORK if options.work is None else integer("--work", options.work, 1, 999_999_999)
-    budget = WorkBudget(work, _seconds(options.time), catches=True)  # its time has begun
+    seconds = _seconds(options.time)
+    budget = WorkBudget(work, seconds, catches=True)  # its time has begun
     content, cited = read_bytes("STATEMENT", options.STATEMENT), _cited(options.STATEMENT)
     test_folder("--out", options.out, "statement.json", "certificate.json", "report.md")
-    page = read_page_of(options.STATEMENT, content, cited)
+    page = read_page_of(options.STATEMENT, content, cited, seconds)
     statement = _chosen(page.statement, options.rows)
     if options.rows is not None:
         page = page.with_rows(statement.obligations)
     if options.rows is not None and options.out is not None:
-        _keep_more(options.out, statement)
+        from verify.cli.prove_folder import keep_more  # loaded only where it is used
+
+        keep_more(options.out, statement)
     budget.watch = Steps(len(statement.obligations))
     try:
         outcome = decide_page(page, budget)
@@ -73,7 +72,9 @@ def run(options: Options) -> int:
         path = shown(options.STATEMENT)
         raise InputError(f"{path}: a term nests too deeply; name its parts") from error
     if options.out is not None:
-        _write(options.out, outcome)
+        from verify.cli.prove_folder import write  # loaded only where it is used
+
+        write(options.out, outcome, _publication(outcome))
     outcome = _with_line(_but_for_citations(outcome), options.STATEMENT, content)
     if options.json:
         print_document(decided_document(outcome))
@@ -131,85 +132,27 @@ def _chosen(statement: Statement, names: str | None) -> Statement:
     return statement._replace(obligations=rows)
 
 
-def _keep_more(directory: str, statement: Statement) -> None:
-    """Afterwards there is no certificate of this theorem that has all these rows and others.
-
-    Raises:
-        InputError: if there is, or if what lies there cannot be read.
-    """
-    path = os.path.join(directory, "statement.json")
-    if not os.path.exists(path):
-        return
-    try:
-        there = json.loads(read_bytes("--out", path))
-        names = [row["name"] for row in there["obligations"]]
-        theorem = there["theorem"]
-    except (ValueError, KeyError, TypeError, RecursionError) as error:
-        raise InputError(f"--out: {shown(path)} is no statement; name a new folder") from error
-    chosen = {row.name for row in statement.obligations}
-    others = [name for name in names if name not in chosen]
-    if theorem == statement.theorem and others and chosen <= {*names}:
-        raise InputError(
-            f"--out: {shown(directory)} has a certificate of more rows ({shown(str(others[0]))}); "
-            "leave --rows out, or name another folder"
-        )
-
-
 def _names_of(row: Obligation) -> set[str]:
     """What a row is called: its name, and without the number that it has in a chain."""
     return {row.name, re.sub(r"\.[0-9]+$", "", row.name)}
 
 
-def _write(directory: str, outcome: Outcome) -> None:
-    """Write a certificate of what is decided, and say what is not in it."""
-    from verify.views.markdown import report  # loaded only where it is used
-
-    undecided = [row for row, found in outcome.rows if found.claimed == UNDECIDED]
-    unwritten = {row.name for row in undecided if not isinstance(row.claim, Claim)}
-    rows = [
-        row._replace(role=PRINTED) if row in undecided else row
-        for row in outcome.statement.obligations
-        if row.name not in unwritten
-    ]
-    if not any(row.role == NEEDED for row in rows) or outcome.spent:
-        why = outcome.spent or "no needed row is decided"
-        print(f"verify: --out: {why}; no certificate was written", file=sys.stderr)
-        return
-    for row in undecided:
-        if row.name not in unwritten and row.role == PRINTED:
-            continue
-        if row.name in unwritten:
-            how = "is left out of it; a certificate says nothing of an undecided row on a context"
-        else:
-            how = f"stands there as {PRINTED} and undecided, and the theorem does not rest on it"
-        print(f"verify: --out: the row {row.name} {how}", file=sys.stderr)
-    kept = {row.name: outcome.decisions[row.name] for row in rows}
-    statement = outcome.statement._replace(obligations=tuple(rows))
-    written = outcome._replace(statement=statement, decisions=kept)
-    told = {"report.md": report(written, _publication(written)).encode()}
-    write_certificate("--out", directory, written, told)
-
-
 def _seconds(text: str | None) -> float | None:
     if text is None:
         return None
-    meant = _in_seconds(text.strip())
-    if meant:
-        raise InputError(f"--time: {shown(text)} has a unit; write {meant}, the number of seconds")
-    seconds = rational("--time", text)
+    try:
+        seconds = rational("--time", text)
+    except InputError:
+        from verify.wire.meant import in_seconds  # loaded only where it is needed
+
+        meant = in_seconds(text.strip())
+        if not meant:
+            raise
+        told = f"--time: {shown(text)} has a unit; write {meant}, the number of seconds"
+        raise InputError(told) from None
     if not 0 < seconds < 10**9:
         raise InputError(f"--time: {shown(text)} is no time to wait; write seconds such as 60")
     return float(seconds)
-
-
-def _in_seconds(text: str) -> str:
-    """The seconds that 5s, 2min or 0:30 are; nothing for another text."""
-    timed = re.fullmatch(r"([0-9]{1,6}(?:\.[0-9]{1,6})?) ?(s|m(?!s)|h)[a-z]*", text)
-    if timed:
-        seconds = Fraction(timed[1]) * {"s": 1, "m": 60, "h": 3600}[timed[2]]
-        return f"{float(seconds):g}"
-    minutes = re.fullmatch(r"([0-9]{1,6}):([0-5][0-9])", text)
-    return str(60 * int(minutes[1]) + int(minutes[2])) if minutes else ""
 
 
 def _cited(path: str) -> dict[str, bytes]:

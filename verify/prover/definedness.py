@@ -70,7 +70,7 @@ class _Completion:
         waiting = [*context.givens]
         while waiting := [*self._take(waiting)]:
             missing = self._missing(waiting[0])
-            if not missing:
+            if self.known.keys() >= {*missing}:  # nothing, or what no sign defines, as 1/0
                 break
             self._support(missing)
         #: Givens that cannot be defined stay where they are, at the end.

@@ -171,14 +171,20 @@ def _cited(files: Mapping[str, bytes]) -> tuple[tuple[str, bytes], ...]:
 @lru_cache(maxsize=8)
 def _work(cited: tuple[tuple[str, bytes], ...]) -> int:
     """What the checker counts for the certificates among these files, all of which it accepts."""
+    from verify.wire.packaged import packaged_work  # loaded only where it is used
+
     work = 0
     for name, certificate in cited:
         if name.endswith(check.CERTIFIED):
             statement = dict(cited)[f"{name.removesuffix(check.CERTIFIED)}.json"]
-            cites_others = any(
-                other[len("cited/") :][:64].encode() in statement for other, _ in cited
-            )
-            work += _work_of(name, statement, certificate, cited if cites_others else ())
+            counted = packaged_work(statement, certificate)
+            if counted is None:
+                cites_others = any(
+                    other[len("cited/") :][:64].encode() in statement for other, _ in cited
+                )
+                files = cited if cites_others else ()
+                counted = _work_of(name, statement, certificate, files)
+            work += counted
     return work
 
 

@@ -17,6 +17,16 @@ def hundredth(percent: str) -> str:
     return decimal_text(*round_decimal(Fraction(percent) / 100, 40, up=False))
 
 
+def in_seconds(text: str) -> str:
+    """The seconds that 5s, 2min or 0:30 are; nothing for another text."""
+    timed = re.fullmatch(r"([0-9]{1,6}(?:\.[0-9]{1,6})?) ?(s|m(?!s)|h)[a-z]*", text)
+    if timed:
+        seconds = Fraction(timed[1]) * {"s": 1, "m": 60, "h": 3600}[timed[2]]
+        return f"{float(seconds):g}"
+    minutes = re.fullmatch(r"([0-9]{1,6}):([0-5][0-9])", text)
+    return str(60 * int(minutes[1]) + int(minutes[2])) if minutes else ""
+
+
 #: A number of a few digits.
 _FEW = r"[+-]?(?:[0-9]{1,9}(?:\.[0-9]{0,40})?|\.[0-9]{1,40})"
 #: Digits in groups, and what may stand behind them.

@@ -25,8 +25,10 @@ def _lines(kind: str) -> Iterator[list[str]]:
 #: Files with their digests. Who cites one rests on them: it is not checked again in each run.
 PACKAGED_FILES = {
     name: {"statement.json": statement, "certificate.json": certificate}
-    for name, statement, certificate in _lines("certificate")
+    for name, statement, certificate, _ in _lines("certificate")
 }
+#: How much work the checker counts for each of them.
+WORK = {name: int(work) for name, _, _, work in _lines("certificate")}
 #: The pages of the paper: which of these each has become, and the digest of its text then.
 PAGES = {page: (name, digest) for page, name, digest in _lines("page")}
 
@@ -81,6 +83,14 @@ def packaged_files(name: str) -> tuple[bytes, bytes]:
         if sha256(found[-1]).hexdigest() != expected:
             raise OwnError(f"{path} is not the file that came with the program; install it anew")
     return found[0], found[1]
+
+
+def packaged_work(statement: bytes, certificate: bytes) -> int | None:
+    """How much work the checker counts for these files; None if they did not come with us."""
+    given = [sha256(content).hexdigest() for content in (statement, certificate)]
+    known = (name for name, files in PACKAGED_FILES.items() if [*files.values()] == given)
+    name = next(known, None)
+    return None if name is None else WORK[name]
 
 
 def packaged_certificate(digest: str) -> bytes:

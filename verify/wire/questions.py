@@ -54,8 +54,12 @@ def _statement(document: dict[str, Any], cited: Mapping[str, bytes]) -> Statemen
     return read_statement(document, TermReader(document["terms"]), cited)
 
 
-def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
+def read_page_of(
+    path: str, content: bytes, cited: Mapping[str, bytes], seconds: float | None = None
+) -> Page:
     """The questions in a file, and hints for them; the end of its name says what it is written in.
+
+    At most half of the ``seconds`` goes into the search for points of its contexts.
 
     Raises:
         InputError: for a file that cannot be used, with the place and the reason in one line.
@@ -64,15 +68,15 @@ def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
     if path.endswith(".toml"):
         from verify.wire.text.read_page import read_page
 
-        return read_page(path, content, _cites(cited))
+        return read_page(path, content, _cites(cited), seconds=seconds)
     if path.endswith(".smt2"):
         from verify.wire.text.smtlib import read_smtlib
 
-        return read_smtlib(path, content)
+        return read_smtlib(path, content, seconds)
     if path.endswith(".fpcore"):
         from verify.wire.text.fpcore import read_fpcore
 
-        return Page(read_fpcore(path, content), {})
+        return Page(read_fpcore(path, content, seconds), {})
     if not (path.endswith(".json") or content.lstrip().startswith(b"{")):
         raise InputError(
             f"STATEMENT: {shown(path)} is none of the formats that are read; name a page .toml, a "

@@ -213,6 +213,8 @@ def _end_after(flow: Flow) -> Collapse | None:
         bodies = bodies_of(scene, scene.bodies, now.frame)
         start = scaled(start_of(now.state, flow.sizes(now.frame)), bodies.contacts)
         return find_three_balls(bodies, start, now.time)
+    if r == 1:
+        return None
     found = find_collapse(r, now.state, now.time)
     return find_sandwich(r, now.state, now.time) if found is None else found
 

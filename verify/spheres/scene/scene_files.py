@@ -134,8 +134,8 @@ def are_apart(scene: Scene) -> bool:
 
 def is_in_range(scene: Scene) -> bool:
     """Whether r and the dimension are such that a file of this scene can be read."""
-    are_inelastic = all(0 < scene.restitution(i, j) < 1 for i, j in PAIRS)
-    return are_inelastic and 1 <= scene.dimension <= MAX_DIMENSION
+    are_right = all(0 < scene.restitution(i, j) <= 1 for i, j in PAIRS)
+    return are_right and 1 <= scene.dimension <= MAX_DIMENSION
 
 
 def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[str, Any]:
@@ -228,9 +228,9 @@ def _restitutions(where: str, table: dict[str, Any]) -> tuple[Fraction, Fraction
     found = []
     for place, value in given.values():
         r = number_in(f"{where}: {place}", value)
-        if not 0 < r < 1:
+        if not 0 < r <= 1:
             raise InputError(
-                f"{where}: {place}: {shown(str(r))} is not in (0, 1); write for example 3/100"
+                f"{where}: {place}: {shown(str(r))} is not in (0, 1]; write for example 3/100"
             )
         found.append(r)
     return found[0], found[1], found[2]

@@ -323,7 +323,9 @@ class Telling:
         for name in (name for name in self.parameters if name.partition(".")[0] == RESTITUTION):
             ending, one = name.removeprefix(RESTITUTION), symbol(name)
             self.row(f"range.low{ending}", "the coefficient of restitution is positive", 0 < one)
-            self.row(f"range.high{ending}", "and below 1: no collision adds energy", one < 1)
+            is_elastic = self.parameters[name].value == 1
+            how, most = ("at most", one <= 1) if is_elastic else ("below", one < 1)
+            self.row(f"range.high{ending}", f"and {how} 1: no collision adds energy", most)
         if self.scene.bodies is not None:
             self._limit_of_balls(criterion)
             return

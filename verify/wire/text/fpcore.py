@@ -35,7 +35,7 @@ PROPERTIES = (
 )
 
 
-def read_fpcore(path: str, content: bytes) -> Statement:
+def read_fpcore(path: str, content: bytes, seconds: float | None = None) -> Statement:
     """The statement that the expressions of a file stay between bounds.
 
     Raises:
@@ -43,7 +43,7 @@ def read_fpcore(path: str, content: bytes) -> Statement:
     """
     source = Source(path, content, WORDS)
     with source.shallow():
-        points, trees = Points(), source.trees()
+        points, trees = Points(seconds), source.trees()
         if len(trees) > MAX_CORES:
             raise source.error(
                 trees[MAX_CORES], f"there are more than {MAX_CORES} expressions; split the file"

@@ -79,10 +79,14 @@ class Reader:
     """Reads one page."""
 
     def __init__(
-        self, places: Places, cited: Sequence[Cite], stated: Mapping[str, Obligation] | None = None
+        self,
+        places: Places,
+        cited: Sequence[Cite],
+        stated: Mapping[str, Obligation],
+        seconds: float | None,
     ) -> None:
         self.places, self.scope = places, Scope()
-        self.cited, self.stated = cited, stated or {}  # rows of another page
+        self.cited, self.stated = cited, stated  # rows of another page
         self.taken: dict[str, str] = {"goal": "is a word of certificates"}
         self.contexts: dict[str, Context] = {}
         self.assumptions: dict[str, Assumption] = {}
@@ -97,7 +101,7 @@ class Reader:
         self.contexts_cited: dict[str, tuple[tuple[Variable, ...], str | None]] = {}
         self.functions: dict[str, tuple[str, ...]] = {}  # by their names, where they stand
         self.defined = 0  # how many constants, abbreviations and functions
-        self.points = Points()
+        self.points = Points(seconds)
         self.floats: dict[str, float] = {}  # about what names stand for, to guess points
 
     # --- what stands under a key ----------------------------------------------------------------

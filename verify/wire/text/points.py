@@ -73,8 +73,10 @@ def estimate(term: Term, values: Mapping[str, float]) -> float:
 class Points:
     """The search for the points of one file, which looks at so much in all."""
 
-    def __init__(self) -> None:
-        self.left = WORK_OF_FILE
+    def __init__(self, seconds: float | None = None) -> None:
+        """Half of some seconds may go into the search, as far as its work is counted."""
+        parts = math.inf if seconds is None else 500_000 * UNITS * seconds
+        self.left = int(min(WORK_OF_FILE, parts))
 
     def find(
         self,

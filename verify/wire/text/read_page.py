@@ -40,12 +40,16 @@ IN_QUOTES = "write formulas and Greek names in quotes"
 
 
 def read_page(
-    path: str, content: bytes, cited: Sequence[Cite] = (), opened: Opened | None = None
+    path: str,
+    content: bytes,
+    cited: Sequence[Cite] = (),
+    opened: Opened | None = None,
+    seconds: float | None = None,
 ) -> Page:
     """The statement that a page is, and its hints.
 
     ``cited`` are the statements that a page may cite; ``opened`` reads the files that it includes,
-    by default from disk.
+    by default from disk. At most half of the ``seconds`` goes into points of contexts.
 
     Raises:
         InputError: naming the file, the line, the key, and what to write instead.
@@ -58,9 +62,10 @@ def read_page(
         name, where = table.pop("rows_of"), places.where(["rows_of"])
         inner = path_beside(path, name, where)
         other = _whole(inner, content_of(inner, name, where, opened), opened)
-        rows = Reader(other[1], cited).page(other[0], _chapters).statement.obligations
+        inside = Reader(other[1], cited, {}, seconds)
+        rows = inside.page(other[0], _chapters).statement.obligations
         stated = {row.name: row for row in rows}
-    return Reader(places, cited, stated).page(table, _chapters)
+    return Reader(places, cited, stated, seconds).page(table, _chapters)
 
 
 def _whole(path: str, content: bytes, opened: Opened | None) -> tuple[dict[str, Any], Places]:

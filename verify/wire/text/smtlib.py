@@ -67,7 +67,7 @@ NOTHING = "nothing is asserted, and this is false"
 FALSE = as_term(0) < 0
 
 
-def read_smtlib(path: str, content: bytes) -> Page:
+def read_smtlib(path: str, content: bytes, seconds: float | None = None) -> Page:
     """The statement that no question of a file has a solution, and other forms of its rows.
 
     Raises:
@@ -76,7 +76,7 @@ def read_smtlib(path: str, content: bytes) -> Page:
     file = _File(Source(path, content, WORDS))
     with file.source.shallow():
         file.read()
-        points, asked = Points(), file.rows()
+        points, asked = Points(seconds), file.rows()
         parts = {one.row: forms(one, claims, file.order, points) for one, claims in asked}
         first = [next(found) for found in parts.values()]
     name = file_name(path)

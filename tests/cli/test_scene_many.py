@@ -132,6 +132,15 @@ def test_a_ball_that_comes_near_prevents_it(
     assert found["impacts"][0]["pair"] == "0-1"
 
 
+def test_elastic_walls_and_pairs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The balls go on for ever: on an elastic floor none comes to rest."""
+    found = found_of(capsys, written(tmp_path, FLOOR.replace('"1/2"', "1")), "--collisions", "9")
+    assert (found["verdict"], found["collisions"]) == ("undecided", 9)
+    path = written(tmp_path, BEADS.replace("0.03", "1"))
+    found = found_of(capsys, path)
+    assert (found["verdict"], found["collisions"] >= 4) == ("disperses", True)
+
+
 def discs(r: str, rows: int, seed: int) -> str:
     rng = Random(seed)
 
@@ -164,7 +173,7 @@ BAD = {
     "overlap": (BEADS.replace('"1.2"', '"0.9"'), "the particles 0 and 1 overlap"),
     "pair": (BEADS.replace('r = "0.03"', 'restitution = {"01" = "0.1"}'), "'01' is no pair"),
     "pairs": (BEADS.replace('r = "0.03"', 'restitution = {"0-1" = "0.1"}'), '"others" = "0.9"'),
-    "r": (BEADS.replace("0.03", "1"), "r: '1' is not in (0, 1)"),
+    "r": (BEADS.replace("0.03", "1.5"), "r: '1.5' is not in (0, 1]"),
     "both": (BEADS + "restitution = 0.1\n", "the file has an r too"),
     "gravity": (BEADS + "gravity = 9.81\n", "gravity: write a number for each coordinate"),
     "gravity-dimension": (BEADS + "gravity = [0, 1]\n", "the gravity of particle 0 has 2"),

@@ -54,7 +54,7 @@ def random_system(rng: Random, number: int, kind: str, r: Fraction | None = None
         gravity = (*(decimal(rng, -0.2, 0.2) for _ in axes[1:]), Fraction(-1))
         tilted = (*(decimal(rng, -0.1, 0.1) for _ in axes[1:]), Fraction(1))
         walls = (Wall(tilted, Fraction(-3), decimal(rng, 0.1, 0.9)),)
-    r = decimal(rng, 0.01, 0.95) if r is None else r
+    r = rng.choice((decimal(rng, 0.01, 0.95), Fraction(1))) if r is None else r
     while True:
         masses = tuple(decimal(rng, 0.2, 3) for _ in range(number))
         radii = tuple(decimal(rng, 0.2, 0.5) for _ in range(number))

@@ -135,7 +135,7 @@ def find_rest(queue: Queue, ball: int, wall: int, time: Number) -> Number | None
     """
     motion = queue.motion
     way = motion.approach(ball, wall, time)
-    if not (way.fall < 0 and way.rate > 0):
+    if motion.system.walls[wall].r == 1 or not (way.fall < 0 and way.rate > 0):
         return None
     later, reach = _bounces(motion, wall, way.rate, way.fall)
     members, walls = {ball: reach}, {ball: wall}
@@ -146,7 +146,7 @@ def find_rest(queue: Queue, ball: int, wall: int, time: Number) -> Number | None
         if not event.is_bounce or event.unclear or k in walls:
             return None
         way, r = motion.approach(k, own, event.time), motion.system.walls[own].r
-        if not (way.fall < 0 and way.rate < 0):
+        if r == 1 or not (way.fall < 0 and way.rate < 0):
             return None
         rest, members[k] = _bounces(motion, own, -way.rate, way.fall)
         walls[k] = own

@@ -123,8 +123,8 @@ def _check_keys(where: str, table: Mapping[str, Any]) -> None:
 
 def _coefficient(where: str, value: Any) -> Fraction:
     r = number_in(where, value)
-    if not 0 < r < 1:
-        raise InputError(f"{where}: {shown(str(value))} is not in (0, 1); write for example 3/100")
+    if not 0 < r <= 1:
+        raise InputError(f"{where}: {shown(str(value))} is not in (0, 1]; write for example 3/100")
     return r
 
 

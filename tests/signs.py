@@ -133,7 +133,7 @@ said(P, "convergence in {} is", rate)
 
 # --- docs/explanation -----------------------------------------------------------------------------
 
-P = "docs/explanation/accusations.md"
+P = "docs/explanation/findings.md"
 so(P, "Cnd9 *implies*", CND9)
 so(P, "| Cnd9 is", CND9)
 so(P, "that Cnd9 implies it is not", CND9)

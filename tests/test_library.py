@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import re
+import subprocess
+import sys
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import chain
@@ -100,11 +103,77 @@ def test_a_page_is_decided(text: str, says: str, capsys: pytest.CaptureFixture[s
 def test_what_is_offered_is_there() -> None:
     import verify
 
-    assert sorted(verify.__all__) == sorted(chain(*verify._OFFERED.values()))
+    assert sorted(verify.__all__) == sorted(chain(verify._MODULES, *verify._OFFERED.values()))
     for name in verify.__all__:
         assert getattr(verify, name) is not None
     with pytest.raises(AttributeError, match="no attribute 'nothing'"):
         verify.nothing  # noqa: B018
+
+
+def test_a_point_of_theorem_1() -> None:
+    from verify import Interval, theorem1
+
+    point = theorem1.at(r="0.03")
+    phi = point.constants["phi_minus"]
+    assert isinstance(phi, Interval)
+    r, alpha = Fraction(3, 100), Fraction(103, 200)  # phi is the smaller root of x^2 - alpha x + r
+    assert phi.low**2 - alpha * phi.low + r >= 0 >= phi.high**2 - alpha * phi.high + r
+    assert 0 < phi.high - phi.low < Fraction(1, 10**20)
+    assert str(phi) == "0.066958009…"
+    assert (point.verdict, point.verdicts["printed.zeta-total"]) == ("proved", "refuted")
+    assert point.verdicts["hypotheses.angle-as-printed"] == "remark"
+    assert point.decision("repaired.zeta-total").verdict == "proved"
+    assert len(point.refuted) == 13
+    files = certificate(point)
+    assert {"statement.json", "certificate.json"} <= files.keys()
+    same = theorem1.at(Fraction(3, 100), neg_cos=1, delta_theta="0.1", V_0=1)
+    assert same.statement == point.statement
+    assert theorem1.at("1/100", theta0="5pi/6").verdict == "proved"
+
+
+def test_what_a_point_prints_is_what_the_command_prints(capsys: pytest.CaptureFixture[str]) -> None:
+    from verify import theorem1
+    from verify.cli import main
+
+    main(["theorem1", "--r", "0.03"])
+    assert str(theorem1.at("0.03")).split() == capsys.readouterr().out.split()
+
+
+def test_the_spectrum_at_a_point(capsys: pytest.CaptureFixture[str]) -> None:
+    from verify import spectrum
+    from verify.cli import main
+
+    found = spectrum.at(r="0.03", bits=200)
+    main(["spectrum", "--r", "0.03", "--precision", "200", "--json"])
+    told = json.loads(capsys.readouterr().out)["eigenvalues"]
+    low, high = map(Fraction, told["lambda_0"])
+    assert low <= found.lambda_0.low <= found.lambda_0.high <= high
+    low, high = map(Fraction, told["lambda_plus"]["im"])
+    assert low <= found.plus.imaginary.low <= found.plus.imaginary.high <= high
+    one = found.plus.real.low**2 + found.plus.imaginary.low**2
+    assert found.modulus.low**2 <= one + Fraction(1, 2**150)
+    assert len(found.vector_0) == len(found.vector_plus) == 4
+
+
+def test_what_is_no_exact_number_is_refused() -> None:
+    from verify import spectrum, theorem1
+
+    for at in (theorem1.at, spectrum.at):
+        with pytest.raises(TypeError, match="r is a float; write a text"):
+            at(0.03)  # type: ignore[operator]
+        with pytest.raises(InputError, match="not in"):
+            at("1.5")  # type: ignore[operator]
+    with pytest.raises(InputError, match="both give the angle"):
+        theorem1.at("0.03", theta0="pi", neg_cos=1)
+
+
+def test_the_package_is_cheap_to_import() -> None:
+    text = "import sys, verify; print([n for n in sys.modules if n.startswith('verify')])"
+    done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "['verify']"
+    text = "import verify; print(verify.theorem1.at, verify.spectrum.__name__)"
+    done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
+    assert done.stdout.strip().endswith("verify.spectrum")
 
 
 def test_what_the_checker_does_not_accept_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -148,9 +148,9 @@ said(
     by=given("1 to 3", "**3. Try it" in file("docs/contributing/technique.md")),
 )
 
-# --- docs/explanation/accusations.md --------------------------------------------------------------
+# --- docs/explanation/findings.md --------------------------------------------------------------
 
-A = "docs/explanation/accusations.md"
+A = "docs/explanation/findings.md"
 low, high = sides("zeta-x-bound")
 said(A, "δ_x = {} is more than {}", low, high)
 terms = [sides(name)[0] for name in ("zeta-term-2", "zeta-remainders", "zeta-total")]
@@ -524,7 +524,9 @@ said(
     "mass × diameter²/time²; each mass is 1 unless",
     by="mass × diameter²/time²;" + coded("1", "docs/howto/masses.md", "masses = [1, 5"),
 )
+ELASTIC = coded("r = 1", "verify/spheres/scene/scene_files.py", "if not 0 < r <= 1:")
 P = "docs/howto/masses.md"
+said(P, "Some of them, or all, may be 1:", by=ELASTIC.removeprefix("r = "))
 MASSES = between(1, 2, "m₀", "m₁", "u", "r")
 true("m₀ (1 + r) u m₁/(m₀ + m₁) = m₁ (1 + r) u m₀/(m₀ + m₁)", MASSES)
 said(
@@ -696,6 +698,7 @@ said(
     EXIT_CODES[REFUTED],
 )
 P = "docs/tutorials/three-particles.md"
+said(P, "With r = 1 they are elastic", by=ELASTIC)
 said(P, "from {} to {}.", 1, MAX_DIMENSION)
 said(P, "part with {} % of", told(100 * Fraction(point()["parameters"]["r"])))
 said(P, "{}: the moment", re.findall(r"collapse time in (\[[^]]+\])", file(P))[0] + "**")
@@ -723,7 +726,7 @@ said(P, "2(q + x) - (1 - h)", by=coded("2(q+x)-(1-h)", P, 'slope = "2*(q + x) <=
 
 POINT = row("theorem1-r-3-100", "C_eta-below-one")
 said(
-    "docs/explanation/accusations.md",
+    "docs/explanation/findings.md",
     "-cos θ₀ = 1/2,",
     by=row("theorem1-r-3-100", "r_stabi-gives-fixed-points"),
 )
@@ -804,10 +807,10 @@ said(
 )
 said(P, "< 1 |", by=row("step", "start-Cnd3").replace("0 < 1 -", "1"))
 ZETA = row("theorem1-r-3-100", "zeta-total")
-said("docs/explanation/accusations.md", "bounds d_{n+1}", by=row("step-printed", "d-index"))
+said("docs/explanation/findings.md", "bounds d_{n+1}", by=row("step-printed", "d-index"))
 said("docs/explanation/proof.md", "to ζ_{n+1}, between", by=ZETA)
 said("docs/tutorials/referee.md", "term of ζ_{n+1} by", by=ZETA)
-A = "docs/explanation/accusations.md"
+A = "docs/explanation/findings.md"
 said(A, "at r = 1/60, -cos θ₀ = 38/61", by=row("theorem1-r-3-100", "second-assumption-as-printed"))
 said(A, "r = 1/20, -cos θ₀ = 1/2,", by=row("theorem1-r-3-100", "r_stabi-gives-fixed-points"))
 said("docs/explanation/proof.md", "for δ_θ = {}.", point()["parameters"]["delta_theta"])

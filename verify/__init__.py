@@ -15,7 +15,17 @@ TYPE_CHECKING = False
 #: What a program of one's own imports from here, by the modules that have it.
 _OFFERED = {
     "verify.library": (
-        *("Result", "always", "applies", "ask", "assume", "certificate", "cite", "constant"),
+        *(
+            "Interval",
+            "Result",
+            "always",
+            "applies",
+            "ask",
+            "assume",
+            "certificate",
+            "cite",
+            "constant",
+        ),
         *("for_all", "lemma", "prove", "prove_page", "read_page", "root_between", "write_page"),
     ),
     "verify.language.terms": (
@@ -29,10 +39,14 @@ _OFFERED = {
     "verify.wire.inputs": ("InputError",),
 }
 
+#: And as modules, beside the commands of these names: ``theorem1.at``, ``spectrum.at``.
+_MODULES = ("spectrum", "theorem1")
+
 __all__ = [
     "Claim",
     "Hint",
     "InputError",
+    "Interval",
     "OwnError",
     "Result",
     "Statement",
@@ -67,15 +81,18 @@ __all__ = [
     "root_between",
     "sin",
     "sinh",
+    "spectrum",
     "sqrt",
     "symbol",
     "tan",
     "tanh",
+    "theorem1",
     "unequal",
     "write_page",
 ]
 
 if TYPE_CHECKING:
+    from verify import spectrum, theorem1
     from verify.language.errors import OwnError
     from verify.language.statement import Statement
     from verify.language.terms import (
@@ -105,6 +122,7 @@ if TYPE_CHECKING:
         unequal,
     )
     from verify.library import (
+        Interval,
         Result,
         always,
         applies,
@@ -127,9 +145,11 @@ else:
 
     def __getattr__(name):
         """What is offered under a name, from the module that has it."""
+        from importlib import import_module
+
+        if name in _MODULES:
+            return import_module(f"{__name__}.{name}")
         for module, names in _OFFERED.items():
             if name in names:
-                from importlib import import_module
-
                 return getattr(import_module(module), name)
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -8,11 +8,13 @@ down: a `TypeError` for a value of the wrong kind, an `InputError` for the rest.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from fractions import Fraction
 from hashlib import sha256
 from os import PathLike
 from pathlib import Path
 from typing import TypeVar
 
+from verify.language.record import Record
 from verify.language.statement import (
     NEEDED,
     PRINTED,
@@ -29,6 +31,7 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Number, Term, as_term, names_of, symbol
 from verify.prover.budget import WORK, WorkBudget
+from verify.prover.decimals import short
 from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.prove import NO_HINTS
@@ -78,6 +81,28 @@ class Result(Outcome):
         from verify.views.prove import decided_lines
 
         return "\n".join(decided_lines(self, NOBODYS))
+
+
+class Interval(Record):
+    """All numbers from ``low`` to ``high``, both exact; its text has certain digits."""
+
+    low: Fraction
+    high: Fraction
+
+    def __str__(self) -> str:
+        return short(self)
+
+
+def exact_text(name: str, value: str | int | Fraction) -> str:
+    """A number as a text that means just it.
+
+    Raises:
+        TypeError: for a float, or what is no number.
+    """
+    if isinstance(value, bool) or not isinstance(value, str | int | Fraction):
+        what = type(value).__name__
+        raise TypeError(f"{name} is a {what}; write a text such as '0.03', or a Fraction")
+    return str(value)
 
 
 # --- the parts of a statement --------------------------------------------------------------------

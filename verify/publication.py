@@ -55,12 +55,13 @@ TITLE_LETTERS = {
 
 
 class Change(Record):
-    """One line of the table `paper | needed | why`."""
+    """One line of the table `paper | needed | why`, with the rows of the repaired set behind it."""
 
     label: str
     paper: str
     needed: str
     why: str
+    rows: tuple[str, ...]
 
 
 class Cause(Record):

@@ -46,7 +46,7 @@ CERTIFICATE = {"statement.json", "certificate.json"}
 
 #: What the program itself puts into such a folder.
 OURS = re.compile(
-    r"(statement|certificate|scene)\.json|report\.md|cited/[0-9a-f]{64}(\.certificate)?\.json"
+    r"(statement|certificate|scene)\.json|report\.(md|html)|check\.py|cited/[0-9a-f]{64}(\.certificate)?\.json"
 )
 
 #: Only numbers with this many digits can be more work than the checker is willing to do.
@@ -308,8 +308,9 @@ def write_certificate(
     """Write an outcome as a certificate that `verify/check.py` accepts, or say why not.
 
     It is given back with the verdicts of the checker, or as it is if nothing was written.
-    ``beside`` are other files of the same folder. Nothing is written, with a line on stderr,
-    where a needed row is undecided.
+    ``beside`` are other files of the same folder; by default those with which it can be sent to
+    somebody who has nothing but Python. Nothing is written, with a line on stderr, where a needed
+    row is undecided.
 
     Raises:
         InputError: if the directory cannot be written, or the checker cannot read the parameters.
@@ -341,8 +342,13 @@ def write_certificate(
             "of work"
         )
         raise UncheckableError(option, why) from error
-    write_folder(option, directory, {**files, **(beside or {})})
-    return with_verdicts(outcome, report)
+    judged = with_verdicts(outcome, report)
+    if beside is None:
+        from verify.cli.sent import sent  # loaded only where it is used
+
+        beside = sent(judged, files)
+    write_folder(option, directory, {**files, **beside})
+    return judged
 
 
 def longest_number(outcome: Outcome) -> int:

@@ -51,7 +51,7 @@ VERBOSE = {"-v, --verbose": "print every row and every assumption"}
 ROWS = {"--rows NAME": "print the rows of this name, label or (4.47) only"}
 JSON = {"--json": "one JSON document on stdout"}
 COLOR = {"--color WHEN": "auto (default), always or never"}
-CERTIFICATE = {"--out DIR": "write statement.json and certificate.json"}
+CERTIFICATE = {"--out DIR": "write a folder to send: certificate, check.py, report.html"}
 #: Options that name a file for a table with commas, and how that may end.
 TABLES, ENDINGS = ("--csv", "--trajectory"), (".csv", ".txt")
 CHOICES = {"--color": ("auto", "always", "never")}

@@ -16,7 +16,7 @@ from verify.cli.files import (
     read_cited,
     test_folder,
 )
-from verify.cli.options import COLOR, JSON, Options, Usage
+from verify.cli.options import CERTIFICATE, COLOR, JSON, Options, Usage
 from verify.cli.steps import Steps
 from verify.cli.terminal import show
 from verify.language.statement import NEEDED, PRINTED, Obligation, Statement
@@ -36,7 +36,7 @@ USAGE = Usage(
         "STATEMENT": "a page of constants (.toml), a statement.json of questions, or an "
         f"example: {', '.join(PAGES)}",
         "--rows NAME,NAME": "decide only these rows, and leave the others out",
-        "--out DIR": "write the decided statement and a certificate of it",
+        **CERTIFICATE,
         "--work N": f"units of work for each row (default {WORK})",
         "--time S": "share S seconds among the rows; what they leave is undecided",
         "-v, --verbose": "also the numbers of each row",
@@ -53,7 +53,7 @@ def run(options: Options) -> int:
     seconds = _seconds(options.time)
     budget = WorkBudget(work, seconds, catches=True)  # its time has begun
     content, cited = read_bytes("STATEMENT", options.STATEMENT), _cited(options.STATEMENT)
-    test_folder("--out", options.out, "statement.json", "certificate.json", "report.md")
+    test_folder("--out", options.out, "statement.json", "certificate.json")
     page = read_page_of(options.STATEMENT, content, cited, seconds)
     statement = _chosen(page.statement, options.rows)
     if options.rows is not None:
@@ -74,7 +74,7 @@ def run(options: Options) -> int:
     if options.out is not None:
         from verify.cli.prove_folder import write  # loaded only where it is used
 
-        write(options.out, outcome, _publication(outcome))
+        write(options.out, outcome)
     outcome = _with_line(_but_for_citations(outcome), options.STATEMENT, content)
     if options.json:
         print_document(decided_document(outcome))

@@ -10,8 +10,6 @@ from verify.cli.files import read_bytes, write_certificate
 from verify.language.statement import NEEDED, PRINTED, UNDECIDED, Statement
 from verify.language.terms import Claim
 from verify.prover.outcome import Outcome
-from verify.publication import Publication
-from verify.views.markdown import report
 from verify.wire.inputs import InputError, shown
 
 
@@ -39,7 +37,7 @@ def keep_more(directory: str, statement: Statement) -> None:
         )
 
 
-def write(directory: str, outcome: Outcome, publication: Publication) -> None:
+def write(directory: str, outcome: Outcome) -> None:
     """Write a certificate of what is decided, and say what is not in it."""
     undecided = [row for row, found in outcome.rows if found.claimed == UNDECIDED]
     unwritten = {row.name for row in undecided if not isinstance(row.claim, Claim)}
@@ -63,5 +61,4 @@ def write(directory: str, outcome: Outcome, publication: Publication) -> None:
     kept = {row.name: outcome.decisions[row.name] for row in rows}
     statement = outcome.statement._replace(obligations=tuple(rows))
     written = outcome._replace(statement=statement, decisions=kept)
-    told = {"report.md": report(written, publication).encode()}
-    write_certificate("--out", directory, written, told)
+    write_certificate("--out", directory, written)

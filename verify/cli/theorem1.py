@@ -31,6 +31,7 @@ USAGE = Usage(
         "--neg-cos C": "-cos of the angle, in (0, 1] (default 1), or an interval A..B",
         "--delta-theta D": "allowed deviation of the final -cos (default 1/10)",
         "--V0 V": "lower bound of the squared relative speeds (default 1)",
+        "--erratum": "print a page of LaTeX: what to replace in the paper, and the rows behind it",
         "--constants SET": "printed, repaired or all (default)",
         "--precision BITS": f"starting bits (default {DEFAULTS['precision']})",
         "--max-precision BITS": f"last bits (default {DEFAULTS['max_precision']})",
@@ -50,6 +51,8 @@ USAGE = Usage(
 
 def run(options: Options) -> int:
     """Print the table or the document, write the files, return the exit code."""
+    if options.erratum:
+        return _erratum(options)
     if not options.all and options.r is None:
         raise InputError("--r: is missing; write for example --r 0.03, or --all")
     if options.all or options.steps is not None or ".." in f"{options.r} {options.neg_cos}":
@@ -57,6 +60,20 @@ def run(options: Options) -> int:
 
         return run_many(options)
     return _point(options)
+
+
+def _erratum(options: Options) -> int:
+    """Print the erratum, which is for all parameters."""
+    others = [name for name in vars(options) if name not in ("erratum", "color")]
+    leave_out(options, others, "leave it out with --erratum", DEFAULTS)
+    from verify.paper.commands.citing import verdicts_as_printed  # loaded only where they are used
+    from verify.paper.commands.pages import accepted
+    from verify.paper.commands.repaired_theorem import whole
+    from verify.views.erratum import erratum
+
+    everywhere, printed = accepted("all_parameters"), accepted("printed_rows")
+    print(erratum(everywhere, printed, whole(), verdicts_as_printed(), PAPER), end="")
+    return everywhere.exit_code
 
 
 def _point(options: Options) -> int:

@@ -1,13 +1,13 @@
-"""The readable report beside a certificate, in Markdown, for every theorem."""
+"""The readable report beside a certificate, for every theorem: in Markdown, and as a page."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import Any
 
-from verify.language.statement import Always, Applies, Obligation
-from verify.language.terms import Claim
-from verify.language.typeset import LONG
+from verify.language.statement import Always, Applies, Constant, Obligation, Variable
+from verify.language.terms import Claim, Term
+from verify.language.typeset import LONG, Typesetter
 from verify.prover.outcome import Decision, Outcome
 from verify.publication import REPAIRED, Publication
 from verify.views import words
@@ -17,33 +17,43 @@ from verify.views.typesetting import apart, markdown_template
 from verify.views.words import fair as verdict_of
 
 
+class Texts:
+    """Formulas as text; what is longer than a line is left to the statement file."""
+
+    blocks = "markdown.j2"
+
+    def __init__(self, typesetter: Typesetter) -> None:
+        self._typesetter = typesetter
+
+    def claim(self, claim: Claim | Applies | Always) -> str:
+        """A claim."""
+        return _brief(self._typesetter.claim(claim))
+
+    def term(self, term: Term, before: str = "") -> str:
+        """A term, after a relation."""
+        return f"{before} {_brief(self._typesetter.term(term))}".strip()
+
+    def letter(self, one: Constant | Variable) -> str:
+        """The letter of a constant or a variable."""
+        return one.letter or one.name
+
+
+def _brief(text: str) -> str:
+    return text if len(text) <= words.MAX_FORMULA else LONG
+
+
 def report(outcome: Outcome, paper: Publication) -> str:
     """The whole report, ending with a line feed."""
-    return apart(markdown_template("report.j2").render(_content(outcome, paper)))
+    texts = Texts(words.letters(outcome))
+    found: Any = markdown_template("report.j2").make_module(content(outcome, paper, texts))
+    return apart(str(found.report()))
 
 
-def defects(outcome: Outcome, paper: Publication) -> str:
-    """The table of the refuted printed rows, in the paper's order."""
-    module: Any = markdown_template("report.j2").make_module(_content(outcome, paper))
-    return str(module.defects()).strip()
-
-
-def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
-    """What the template speaks of."""
+def content(outcome: Outcome, paper: Publication, write: Any) -> dict[str, Any]:
+    """What the template speaks of; ``write`` has its blocks, and writes formulas."""
     outcome = exactly(outcome)
     typesetter, about = words.letters(outcome), words.is_about(outcome, paper)
     main = about and outcome.statement.theorem == paper.theorem
-
-    def brief(text: str) -> str:
-        return text if len(text) <= words.MAX_FORMULA else LONG
-
-    def claim(one: Claim | Applies | Always) -> str:
-        return brief(typesetter.claim(one))
-
-    def told(row: Obligation) -> str:
-        """The claim; in a theorem of somebody else's also for all values of which context."""
-        where = "" if about or row.context is None else f" for all values of `{row.context}`"
-        return claim(row.claim) + where
 
     def evidence(row: Obligation, decision: Decision) -> str:
         """The numbers that show a row, or the values at which it is false."""
@@ -52,18 +62,18 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
             return numbers
         return f"at {words.values_told(decision.witness, typesetter)}" if decision.witness else ""
 
-    def constants() -> Iterator[tuple[str, ...]]:
-        """Letter, value, and definition or bound of each constant."""
+    def constants() -> Iterator[tuple[Any, ...]]:
+        """Letter, group, value, definition or bound of each constant, and which entry is least."""
         bounds = paper.notes().bounds if main else {}
         for one in outcome.statement.constants:
             group, ends = one.name.rpartition(".")[0], words.ends_of(outcome, one.name)
             sign, bound = bounds.get(one.name, ("=", one))
             least = minimum_of(outcome, one).least if one.term.op == "min" else None
-            told = "" if least is None else f" (entry {least} is the least)"
-            letter = one.letter + (f" ({group})" if group else "")
-            yield letter, words.ends_told(ends), f"{sign} {typesetter.term(bound.term)}{told}"
+            definition = write.term(bound.term, sign)
+            yield write.letter(one), group, words.ends_told(ends), definition, least
 
     return {
+        "blocks": write.blocks,
         "outcome": outcome,
         "about": about,
         "paper": paper,
@@ -73,10 +83,11 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
         "groups": words.groups(outcome),
         "constants": list(constants()),
         "printed": paper.printed,
-        "claim": claim,
-        "told": told,
-        "term": lambda one: brief(typesetter.term(one)),
+        "claim": write.claim,
+        "term": write.term,
+        "letter": write.letter,
         "evidence": evidence,
         "short_name": words.short_name,
         "verdict_of": lambda row, found: verdict_of(outcome, row, found),
+        "files": {},
     }

@@ -362,7 +362,7 @@ def _hypotheses(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """The hypotheses that fail, and what is known there; and whether the precision sufficed."""
     for row, why in failed_hypotheses(outcome):
         where = paper.number(row.label)
-        yield f"Hypothesis {where}, {row.label}, does not hold: {row.says} ({why})"
+        yield f"Hypothesis {where} does not hold: {row.says} ({why})"
     yield from known_there(outcome)
     if outcome.spent:
         yield f"Precision budget spent: {outcome.spent}"

@@ -119,7 +119,8 @@ def _named(u: Ends) -> tuple[tuple[str, Ends], ...]:
 def screen(found: Separatrix, certified: str = "") -> Iterator[str]:
     """The table, the points on it, what is believed and what is not decided, the verdict."""
     r, c, ratio = map(exact_number, found.parameters)
-    yield f"Separatrix of the limit map at r = {r}, -cos θ = {c}, ratio {ratio}"
+    where = f"r = {r}, -cos θ = {c}, ratio {ratio}"
+    yield f"Separatrix of the limit map at {where}: {found.verdict}"
     yield ""
     yield from _existence(found)
     yield from _curve(found)

@@ -82,7 +82,29 @@ _TAGS = re.compile(r"(<(?:code|data|math)[ >].*?</(?:code|data|math)>|<[^>]*>)",
 
 def in_a_line(text: str) -> str:
     """A text without the line breaks and the indentation with which it is written."""
-    return re.sub("[ \n]+", " ", text).strip(" ")
+    return re.sub("[ \n]+", " ", printable(text)).strip(" ")
+
+
+def printable(text: str) -> str:
+    """A text in which control signs, and signs that nobody sees, are told by their numbers."""
+    return text if text.isprintable() else "".join(map(_seen, text))
+
+
+def _seen(sign: str) -> str:
+    if sign.isprintable() or sign in "\n\u00a0":
+        return sign
+    return " " if sign.isspace() else ascii(sign)[1:-1]
+
+
+#: In Markdown a backslash, and what begins a tag or a picture.
+_IN_MARKDOWN = re.compile(r"\\|<(?=[A-Za-z/!?])|(?<=!)\[")
+#: And what begins, at the start of a line, something else than a paragraph.
+_BEGINS = re.compile(r"(?=[-#>+*=~`|_\[])|[0-9]+(?=[.)])")
+
+
+def in_markdown(text: str) -> str:
+    """Somebody's words in a line of Markdown, where they can make no line and no element."""
+    return _IN_MARKDOWN.sub(lambda match: f"\\{match[0]}", in_a_line(text))
 
 
 def prose_between(markup: str) -> str:
@@ -105,8 +127,10 @@ def in_html(name: str, content: Mapping[str, Any], filters: Filters = ()) -> str
 
 @cache
 def markdown_template(name: str) -> Template:
-    """A template in Markdown, which has no tags: nothing is escaped but bars in tables."""
-    return _environment((), _cells_in_markdown).get_template(name)
+    """A template in Markdown; what is no macro of a template is somebody's words."""
+    found = _environment((), _cells_in_markdown, _words_in_markdown)
+    found.filters |= {"paragraph": _paragraph_in_markdown, "literal": _code_in_markdown}
+    return found.get_template(name)
 
 
 def apart(text: str) -> str:
@@ -116,8 +140,7 @@ def apart(text: str) -> str:
 
 @cache  # so that each template is compiled once
 def _for_html(*filters: Callable[..., Any]) -> Environment:
-    found = _environment(filters, _cells_in_html)
-    found.autoescape = True
+    found = _environment(filters, _cells_in_html, _words_in_html)
     found.filters |= {
         "set": _line_in_html,
         "is_narrow": is_narrow,
@@ -128,8 +151,12 @@ def _for_html(*filters: Callable[..., Any]) -> Environment:
     return found
 
 
-def _environment(filters: Filters, cells: Callable[..., Any]) -> Environment:
-    found = Environment(  # noqa: S701  HTML is escaped, see above
+def _environment(
+    filters: Filters, cells: Callable[..., Any], said: Callable[[Any], Any]
+) -> Environment:
+    found = Environment(
+        autoescape=True,
+        finalize=said,
         loader=FileSystemLoader(TEMPLATES),
         undefined=StrictUndefined,
         extensions=["jinja2.ext.do"],
@@ -141,6 +168,28 @@ def _environment(filters: Filters, cells: Callable[..., Any]) -> Environment:
     return found
 
 
+def _words_in_html(found: object) -> object:
+    """What is put into a page: what is markup stays, and the rest will be escaped."""
+    return printable(found) if type(found) is str else found
+
+
+def _words_in_markdown(found: object) -> Markup:
+    return found if isinstance(found, Markup) else Markup(in_markdown(str(found)))  # noqa: S704
+
+
+def _code_in_markdown(text: str) -> Markup:
+    """Words between backticks, where only a backtick means something else."""
+    return Markup(in_a_line(text).replace("`", "'"))  # noqa: S704
+
+
+def _paragraph_in_markdown(text: str) -> Markup:
+    """Words that stand at the start of a line, and begin nothing there but a paragraph."""
+    line = in_markdown(text)
+    begins = _BEGINS.match(line)
+    at = begins.end() if begins else 0
+    return Markup(f"{line[:at]}\\{line[at:]}" if begins else line)  # noqa: S704
+
+
 def _line_in_html(content: object) -> Markup:
     """A line, with each text between its tags set as a sentence."""
     return Markup(prose_between(str(markupsafe.escape(content))))  # noqa: S704  it is escaped
@@ -150,12 +199,19 @@ def _cells_in_html(rows: Iterable[Iterable[object]], raw: bool = False) -> list[
     """The cells of a table; in what somebody else wrote underscores are no subscripts."""
     if not raw:
         return [[_line_in_html(cell) for cell in row] for row in rows]
-    return [[Markup(powers(escape(str(cell)))) for cell in row] for row in rows]  # noqa: S704
+    return [[_cell_of_words(cell) for cell in row] for row in rows]
 
 
-def _cells_in_markdown(rows: Iterable[Iterable[object]]) -> list[list[str]]:
+def _cell_of_words(cell: object) -> Markup:
+    if isinstance(cell, Markup):
+        return cell
+    return Markup(powers(escape(printable(str(cell)))))  # noqa: S704  it is escaped
+
+
+def _cells_in_markdown(rows: Iterable[Iterable[object]]) -> list[list[Markup]]:
     """The cells of a table; bars inside of one are escaped."""
-    return [[in_a_line(str(cell)).replace("|", "\\|") for cell in row] for row in rows]
+    cells = [[_words_in_markdown(cell) for cell in row] for row in rows]
+    return [[Markup(str(cell).replace("|", "\\|")) for cell in row] for row in cells]  # noqa: S704
 
 
 def is_narrow(cells: Sequence[Sequence[str]], head: Sequence[str]) -> bool:

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from base64 import b64encode
 from collections.abc import Iterable, Iterator, Mapping
-from importlib.resources import files as package_files
 from typing import Any
 
 from verify import __version__
@@ -22,13 +20,14 @@ from verify.views.findings import Material
 from verify.views.mathml import MathML
 from verify.views.page import rows
 from verify.views.page.blueprint import proof_drawing
+from verify.views.page.style import style
 from verify.views.plots import Pictures, collapses, figures, maps, separatrix
 from verify.views.plots.collapse import animation, film
-from verify.views.plots.drawing import SCHEMES, standalone, svg
+from verify.views.plots.drawing import standalone, svg
 from verify.views.plots.letters import letters_drawing
 from verify.views.plots.shapes import Figure, Panel
 from verify.views.point import causes, in_numbers, place
-from verify.views.typesetting import TEMPLATES, in_html
+from verify.views.typesetting import in_html
 
 TITLE = "Three particles collapse: what is proved"
 #: The style sheet of all pages, with their font.
@@ -73,7 +72,7 @@ def files(material: Material, *, draw: bool) -> dict[str, bytes]:
         made["picture.svg"] = standalone(readme_picture(pictures.plots[0])).encode()
     found = _content(material) | {"pictures": pictures, "drawn": drawn}
     parts = list(_parts(found))
-    found |= {"contents": [part for part in parts if part.short], "STYLE": STYLE}
+    found |= {"contents": [part for part in parts if part.short], "STYLE": STYLE, "css": ""}
     pages = {part.file: in_html("page.j2", found | {"part": part}, FILTERS) for part in parts}
     return {
         **{name: content.encode() for name, content in joined(pages, draw).items()},
@@ -310,29 +309,6 @@ def checked_in_coq(material: Material) -> str:
         else ""
     )
     return f"accepted {number} certificates, with Coq {material.coq.version}{but}"
-
-
-# --- the style sheet, and the font that the page brings along -------------------------------------
-
-
-def font_bytes() -> bytes:
-    """The font file: a part of STIX Two Math."""
-    return package_files("verify").joinpath("data/mathematics.woff").read_bytes()
-
-
-def style() -> str:
-    """System fonts and a font for formulas, both colour schemes, a phone, a screen, paper."""
-    light, dark = (
-        ";".join(f"--{name}:{colour}" for name, colour in SCHEMES[scheme].items())
-        for scheme in ("light", "dark")
-    )
-    with open(os.path.join(TEMPLATES, "style.css"), encoding="utf-8") as file:
-        rules = file.read()
-    font = b64encode(font_bytes()).decode()
-    return (
-        f'@font-face{{font-family:VerifyMath;src:url("data:font/woff;base64,{font}")}}'
-        f":root{{{light}}}@media screen and (prefers-color-scheme:dark){{:root{{{dark}}}}}\n{rules}"
-    )
 
 
 # --- LaTeX ---------------------------------------------------------------------------------------

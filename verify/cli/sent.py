@@ -1,0 +1,22 @@
+"""What goes with a certificate to somebody who has nothing but Python."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib.resources import files as package_files
+
+from verify.paper.source import PAPER
+from verify.prover.outcome import Outcome
+from verify.views.markdown import report
+from verify.views.page.single import single_page
+
+
+def sent(outcome: Outcome, files: Mapping[str, bytes]) -> dict[str, bytes]:
+    """The checker as it is here, and the report: as text, and as a page that needs no other file.
+
+    The page has the digests of the checker and of ``files``, which are those of the certificate.
+    """
+    checker = {"check.py": package_files("verify").joinpath("check.py").read_bytes()}
+    page = single_page(outcome, PAPER, {**files, **checker})
+    told = {"report.md": report(outcome, PAPER).encode(), "report.html": page.encode()}
+    return {**checker, **told}

@@ -61,7 +61,7 @@ def groups_of(given: System) -> list[list[int]] | None:
 
 
 def test_groups_that_never_meet() -> None:
-    assert groups_of(system("0.03", *THREE, *PAIR)) == [[3, 4], [0, 1, 2]]
+    assert groups_of(system("0.03", *THREE, *PAIR)) == [[0, 1, 2], [3, 4]]
     towards = (("0 50", "0 -9"), ("30 50", "0 0"))
     assert groups_of(system("0.03", *THREE, *towards)) is None
 

@@ -3,8 +3,8 @@
 A group of the mass M has its centre of mass at X + tW, R² = Σ m|x|² and e² = Σ m|v|² about it; as
 collisions never raise e, R is at most R + te after the time t, and a ball of mass m is no further
 from the centre than c(R + te), where c² = (M - m)/(mM). So two groups never meet, at least not
-before one of them collapses, if |X + tW| > A + tB for all t >= 0, where A is the sum of the largest
-radius + cR in each, and B that of the largest ce. Source: balls of at most three in each group.
+before one of them collapses, if |X + tW| > A + tB for all t >= 0, where A adds up the largest of
+radius + cR in each, and B the largest ce.
 """
 
 from __future__ import annotations

@@ -296,6 +296,16 @@ so(
     "b = (1+r)m/(m_o + m) for an outer particle of mass m, and b' for the other one",
     has("certificates/line/report.md", "b is (1+r) m_c/(m_0 + m_c), and b' is"),
 )
+P = "docs/howto/many.md"
+so(P, "normal·x ≥ level", has("verify/spheres/many/system.py", "normal·x >= level"))
+BOUNCES = between(0.1, 0.9, "r", "u", "g")
+so(P, "after the time 2u/g, where", true("u - g (2u/g)/2 = 0", BOUNCES))
+so(
+    P,
+    "then after 2ur/g, and so on: infinitely many bounces are over after 2u/(g(1 - r))",
+    true("2u/g + r (2u/(g(1 - r))) = 2u/(g(1 - r))", BOUNCES),
+    true("2ur/g = r (2u/g)", BOUNCES),
+)
 P = "docs/contributing/function.md"
 so(P, "operations + - · /,", has("verify/check.py", "FUNCTIONS"))
 so(P, "`maximum(a, -a)`", has("verify/language/terms.py", "maximum(number, -as_term(number))"))

@@ -1,7 +1,7 @@
 """A module's name is that of its subject: two modules share one only where they have one subject.
 
-A folder inside a room has a language of its own; at most one module of a name lies outside of such.
-The two checkers import nothing of the package and are left out.
+A folder inside a package has a language of its own; at most one module of a name lies outside of
+such. The two checkers import nothing of the program and are left out.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from pathlib import Path
 
 ROOM = Path(__file__).parent.parent / "verify"
 
-#: A subject has one name in every room: its command, its job, its views, its part of the paper.
+#: A subject has one name in every package: its command, its job, its views, its part of the paper.
 SUBJECTS = {
     *("bench", "check", "everywhere", "explain", "report", "spectrum", "stress"),
     *("theorem1", "parameters", "box", "scene", "sharper", "slack", "classification", "numbering"),

@@ -1,10 +1,8 @@
 """Verified constants and recursion of a theorem on the collapse of inelastic hard spheres.
 
-A name means one thing. A subject has the same name in every room: `cli/theorem1.py` is the
-command, `paper/commands/theorem1.py` what it does, `paper/theorem1.py` what the paper says.
-Modules of the paper that stand side by side have one interface: `rows()` of a section, `lines()`
-and `context()` of a chapter, `chapters()` and `statement()` of a part; each command has
-`USAGE` and `run()`. `tests/test_names.py` has the list.
+A name means one thing. A subject has the same name in every package: `cli/theorem1.py` is the
+command, `paper/commands/theorem1.py` what it does, `paper/theorem1.toml` what the paper says. Each
+command has `USAGE` and `run()`. `tests/test_names.py` has the list.
 """
 
 __version__ = "0.3.0"

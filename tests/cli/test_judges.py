@@ -26,13 +26,16 @@ from verify.prover.straight import StraightLine
 from verify.spheres import limit_map, separatrix
 from verify.spheres.flow.follow import Flow, UnclearError
 from verify.spheres.limit_map import Orbits
+from verify.spheres.many.queue import Queue
 from verify.spheres.scene import decide as scene
 from verify.wire import packaged
 
 ROOT = Path(__file__).resolve().parents[2]
 #: What nobody may say without a judge.
 VERDICT = re.compile(
-    r"\b(?:(?<!not )proved|PROVED|collapses|disperses)\b|^finite|\"finite", re.MULTILINE
+    r"\b(?:(?<!not )proved|PROVED|collapses|disperses)\b|^(?:finite|rests:|followed:)"
+    r"|\"(?:finite|rests|followed)\"",
+    re.MULTILINE,
 )
 #: A heading before numbers, which are 0 then.
 SHARES = re.compile(r"^Rows proved, of those needed:(?!.* [1-9][0-9]*/)", re.MULTILINE)
@@ -94,6 +97,9 @@ DECIDED = (
     "scene SCENES --csv OUT/scenes.csv",
     "scene certificates/scenes/passing.toml --sample 3",
     "scene certificates/scenes/passing.toml --sample 3 --json",
+    "scene many.toml",
+    "scene many.toml --until 1/4",
+    "scene many.toml --json --csv OUT/events.csv",
     "stress --quick",
     "map phi --r 0.03 --undecided 20%",
     "separatrix --r 0.03",
@@ -103,6 +109,12 @@ DECIDED = (
     "separatrix --r 0.03..0.09 --steps 3 --json",
     "separatrix --r 0.03 --plot OUT/strip.svg",
 )
+#: Five beads, of which three collapse.
+MANY = """
+r = 0.03
+positions = [[0], [1.2], [2.5], [4], [5.3]]
+velocities = [[1], [0.3], [0], [-0.2], [-1]]
+"""
 #: Commands that print no verdict.
 SILENT = {
     "example": "names, and files as they are",
@@ -150,12 +162,13 @@ def break_digests(monkeypatch: pytest.MonkeyPatch) -> None:
 def break_procedures(monkeypatch: pytest.MonkeyPatch) -> None:
     """Afterwards balls, exact numbers and algebra decide nothing at a point, nor on a scene."""
 
-    def unclear(_: Flow) -> bool:
+    def unclear(_: Flow | Queue) -> bool:
         raise UnclearError("a judge that decides nothing")
 
     monkeypatch.setattr(Ground, "prove", lambda *_: (UNDECIDED, None))
     monkeypatch.setattr(StraightLine, "verdict", lambda *_: "0")
     monkeypatch.setattr(Flow, "advance", unclear)
+    monkeypatch.setattr(Queue, "first", unclear)
     monkeypatch.setattr(Orbits, "side", lambda *_: 0)
     monkeypatch.setattr(separatrix, "has_separatrix", lambda *_: None)
     monkeypatch.setattr(limit_map, "changes_sign", lambda *_: False)
@@ -169,7 +182,9 @@ def said(words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> tupl
     scenes.mkdir()
     out.mkdir()
     shutil.copy(ROOT / "certificates/scenes/passing.toml", scenes)
-    places = {"SCENES": str(scenes), "OUT": str(out)}
+    many = tmp_path / "many.toml"
+    many.write_text(MANY)
+    places = {"SCENES": str(scenes), "OUT": str(out), "many.toml": str(many)}
     for place, path in places.items():
         words = words.replace(place, path)
     code = main(words.split())
@@ -274,6 +289,7 @@ JUDGES = {
     "ScannedPoint": {"paper/commands/scan.py"},
     "CurveAt": {"spheres/limit_map.py"},
     "Separatrix": {"spheres/separatrix.py"},
+    "Ending": {"spheres/many/decide.py"},
 }
 
 

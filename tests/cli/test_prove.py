@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -468,3 +470,40 @@ def test_a_report_is_about_the_theorem_of_its_author(
     assert r"\formula{q = \frac{3 - \sqrt{5}}{4}\quad (0.19098300\ldots{})}" in text
     assert r"\begin{row}[{\texttt{slope} Lemma 3}]" in text
     assert main(["check", "--latex", "--markdown", str(out)]) == 2
+
+
+PIPED = {
+    "toml": 'title = "t"\n[constants]\nq = "1/3"\n[rows]\na = "q < 1/2"\nb = "1/2 < q"\n',
+    "smt2": "; piped\n(declare-const x Real)\n(assert (< x 0))\n(assert (< 1 x))\n(check-sat)\n",
+    "fpcore": "(FPCore (x) :pre (<= 1 x 2) (sqrt x))",
+}
+
+
+def piping(content: bytes, *words: str) -> subprocess.CompletedProcess[bytes]:
+    command = [sys.executable, "-m", "verify", "prove", "-", *words]
+    return subprocess.run(command, input=content, capture_output=True)
+
+
+@pytest.mark.parametrize("kind", [*PIPED, "json"])
+def test_a_statement_is_piped_in(kind: str, tmp_path: Path) -> None:
+    """It is the same as from a file of that kind."""
+    text = PIPED.get(kind) or json.dumps(example("instance"))
+    path = tmp_path / f"stdin.{kind}"
+    path.write_text(text)
+    command = [sys.executable, "-m", "verify", "prove", str(path)]
+    done = piping(text.encode(), "--out", str(tmp_path / "out"))
+    same = subprocess.run(command, capture_output=True)
+    assert (done.returncode, done.stdout) == (same.returncode, same.stdout)
+    assert done.returncode in (0, 1)
+    assert check.check_folders(check.read_folders([str(tmp_path / "out")]))[0] == done.returncode
+
+
+def test_what_is_piped_in_may_be_unusable() -> None:
+    for content in (b"", b"\xff", b"title = 3", b"[rows", b"x" * (files.MAX_BYTES + 1)):
+        done = piping(content)
+        assert (done.returncode, done.stdout) == (2, b"")
+        assert done.stderr.count(b"\n") == 1
+    closed = f"{sys.executable} -m verify prove - <&-"
+    done = subprocess.run(["sh", "-c", closed], capture_output=True)
+    assert done.returncode == 2
+    assert b"there is no standard input" in done.stderr

@@ -134,8 +134,9 @@ BAD = {
     "term": (GOOD.replace("-1.006", "1, -2*h"), '"-2*h"'),
     "not-odd": (GOOD.replace("-1.006", "1e1") + "[a] x\n", "; write r, positions, velocities"),
     "family": (GOOD.replace("0.03", '"0.01..0.09"'), "is a family of scenes; add --sample N, or "),
-    "walls": (GOOD + "walls = 2\n", "'walls' is not part of the model: smooth spheres without"),
-    "gravity": (GOOD + "gravity = 9.81\n", "'gravity' is not part of the model"),
+    "walls": (GOOD + "walls = 2\n", "walls: write walls = [{normal = [0, 1], level = 0, "),
+    "gravity": (GOOD + "gravity = 9.81\n", "gravity: write a number for each coordinate"),
+    "friction": (GOOD + "friction = 1\n", "'friction' is not part of the model: smooth spheres"),
     "rotation": (GOOD + "rotation = [0, 1, 0]\n", "'rotation' is not part of the model"),
     "metres": (
         GOOD.replace("501/500", "1/2"),

@@ -116,6 +116,37 @@ def test_the_readable_form_has_a_lemma_for_every_row(capsys: pytest.CaptureFixtu
             assert not undecided or f"{row['name']} is undecided" in text
 
 
+def test_names_of_the_readable_form_are_those_of_nothing_else(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A row may be called like what the file defines beside it, or needs."""
+    used = [
+        "proved",
+        "Definition",
+        "says",
+        "ordered",
+        "one_more",
+        "proved_row",
+        "Forall",
+        "said_row",
+        "rows",
+    ]
+    rows = [*used, "a_is", "a", "a_is_is", "b", "b_is", "row_of_a", "all_values", "values_1"]
+    lines = ["title = 't'", "[constants]", "right_values = '1'", "c_is = '2'", "c = '3'", "[rows]"]
+    page = tmp_path / "p.toml"
+    page.write_text("\n".join([*lines, *(f"{row} = 'c_is < c'" for row in rows)]))
+    assert main(["prove", str(page), "--out", str(tmp_path / "p")]) == 0
+    capsys.readouterr()
+    assert main(["export", "coq", "--readable", str(tmp_path / "p")]) == 0
+    text = re.sub(r"\(\*.*?\*\)", "", capsys.readouterr().out, flags=re.DOTALL)
+    named = re.findall(r"^(?:Definition|Lemma|Theorem) (\w+)", text, re.MULTILINE)
+    assert len(named) == len({*named})
+    readable = text[text.index("Definition the_table") :]
+    lemmas = re.findall(r"^Lemma (\w+) : [^.]*<[^.]*\.$", readable, re.MULTILINE)
+    assert len(lemmas) == len(rows)
+    assert all(len(re.findall(rf"\b{lemma}\b", readable)) == 1 for lemma in lemmas)
+
+
 def test_a_point_run_ends_in_a_theorem_on_three_balls(capsys: pytest.CaptureFixture[str]) -> None:
     path = ROOT / "certificates/theorem1-r-3-100"
     assert main(["export", "coq", "--balls", str(path)]) == 0

@@ -67,6 +67,7 @@ def test_a_page_has_what_it_includes(tmp_path: Path) -> None:
         ({}, ("page.toml, line 2", "chart.toml")),
         ({"chart": CHART.replace("0 < x", "0 < z")}, ("chart.toml, line 6", "z")),
         ({"chart": CHART + '[chapters.rows]\nl = "0 <'}, ("chart.toml",)),
+        ({"chart": 'rows_of = "page.toml"\n' + CHART}, ("chart.toml, line 1", "rows_of")),
         ({"chart": "#" * (1 << 21)}, ("page.toml, line 2", "chart.toml", "bytes")),
         ({"chart": CHART.replace('a = "', 'b = "')}, ("page.toml, line 4", "included")),
     ],

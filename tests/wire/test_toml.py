@@ -46,6 +46,31 @@ def test_what_is_too_long(name: str) -> None:
     assert time.process_time() - begin < 1
 
 
+#: Texts of about 100 kB in which something is repeated.
+REPEATED = {
+    "quotes": 'x = "' + '\\"' * 49_000,
+    "three-quotes": 'x = """' + '\\"""' * 24_000,
+    "spaces": "x = [\n[a" + " " * 95_000 + ",",
+    "spaces-after-a-word": "x = [\ny" + " " * 95_000 + ",",
+    "a-header": "[a" + " " * 90_000 + "\nx=",
+    "a-text-and-lines": 'x = "' + '\\"' * 3000 + "\n" + ('"' + '\\"' * 1900 + "\n") * 20,
+}
+
+
+@pytest.mark.parametrize("name", REPEATED)
+def test_what_is_no_toml_is_told_at_once(name: str) -> None:
+    begin = time.process_time()
+    with pytest.raises(InputError, match="line"):
+        toml_of("f.toml", REPEATED[name].encode(), "")
+    assert time.process_time() - begin < 1
+
+
+def test_many_spaces_are_read_at_once() -> None:
+    begin = time.process_time()
+    assert toml_of("f.toml", b"x = [1," + b" " * 95_000 + b"2]", "")[0] == {"x": [1, 2]}
+    assert time.process_time() - begin < 1
+
+
 @pytest.mark.parametrize("command", ["prove", "scene"])
 def test_a_file_is_refused_in_one_line(
     command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]

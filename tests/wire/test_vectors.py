@@ -70,6 +70,7 @@ def test_a_letter_that_numbers_terms_is_known_in_a_product_of_vectors() -> None:
         ('products = { "e v" = "a", "v e" = "a" }', "1", "stands there twice"),
         ('gram = { e = "1", v = "b" }', "1", "has 1 products, and not 2"),
         ('gram = { "δ" = "1" }', "1", "is no name"),
+        ('gram = { a = "1" }', "1", "stands for something else here already"),
     ],
 )
 def test_what_is_not_known_is_refused_by_name(known: str, term: str, told: str) -> None:

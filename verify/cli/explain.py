@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from verify.paper.commands.place import Place
     from verify.prover.outcome import Outcome
 
-#: What the prover calls the lemmas that it finds: they stand nowhere in the paper's room.
+#: What the prover calls the lemmas that it finds: they stand nowhere in the paper's pages.
 NUMBERED = re.compile(r".*\.[0-9]+")
 
 #: The other parameters of a point.

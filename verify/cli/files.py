@@ -308,18 +308,14 @@ def write_certificate(
     """Write an outcome as a certificate that `verify/check.py` accepts, or say why not.
 
     It is given back with the verdicts of the checker, or as it is if nothing was written.
-    ``beside`` are other files of the same folder; by default those with which it can be sent to
-    somebody who has nothing but Python. Nothing is written, with a line on stderr, where a needed
-    row is undecided.
+    ``beside`` are other files of the same folder, by default those with which it can be sent.
+    Nothing is written, with a line on stderr, where a needed row is undecided.
 
     Raises:
         InputError: if the directory cannot be written, or the checker cannot read the parameters.
         OwnError: if the checker does not accept what would be written.
     """
-    from verify.wire.judge import (
-        accept,  # hashlib and json are loaded only where they are used
-        with_verdicts,
-    )
+    from verify.wire.judge import accept, with_verdicts  # load hashlib and json
     from verify.wire.write import write
 
     if outcome.spent or any(

@@ -34,7 +34,7 @@ INTERRUPTED = 130
 USAGE = Usage(
     {
         "STATEMENT": "a page of constants (.toml), a statement.json of questions, or an "
-        f"example: {', '.join(PAGES)}",
+        f"example: {', '.join(PAGES)}; - is standard input",
         "--rows NAME,NAME": "decide only these rows, and leave the others out",
         **CERTIFICATE,
         "--work N": f"units of work for each row (default {WORK})",
@@ -52,7 +52,13 @@ def run(options: Options) -> int:
     work = WORK if options.work is None else integer("--work", options.work, 1, 999_999_999)
     seconds = _seconds(options.time)
     budget = WorkBudget(work, seconds, catches=True)  # its time has begun
-    content, cited = read_bytes("STATEMENT", options.STATEMENT), _cited(options.STATEMENT)
+    if options.STATEMENT == "-":
+        from verify.cli.piped import piped  # loaded only where it is used
+
+        options.STATEMENT, content = piped()
+    else:
+        content = read_bytes("STATEMENT", options.STATEMENT)
+    cited = _cited(options.STATEMENT)
     test_folder("--out", options.out, "statement.json", "certificate.json")
     page = read_page_of(options.STATEMENT, content, cited, seconds)
     statement = _chosen(page.statement, options.rows)

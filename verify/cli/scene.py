@@ -1,4 +1,4 @@
-"""Decide what becomes of three given particles: collapses, disperses, finite, or undecided."""
+"""Decide what becomes of given particles: collapses, disperses, finite, or undecided."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Mapping
 from fractions import Fraction
+from typing import Any
 
 from verify.cli.files import SCENES, example, print_document, read_bytes, test_folder, write_file
 from verify.cli.options import CERTIFICATE, COLOR, JSON, Options, Usage
@@ -36,6 +37,7 @@ USAGE = Usage(
         "scene": f"a scene file, a folder of them, or an example: {', '.join(SCENES)}",
         "--digits N": "digits of the time of a collapse, the final angle and the velocities",
         "--cutoff T": "say after how many collisions less time than T is left to a collapse",
+        "--until T": "follow the particles to this time, also more than three",
         "--collisions N": "how many are followed (default 1000)",
         "--precision BITS": "bits to begin with (default 128)",
         "--max-precision BITS": "last bits (default 4096)",
@@ -49,7 +51,7 @@ USAGE = Usage(
         "--seed S": "of the random numbers (default 1)",
         "--confidence P%": "of the shares in a sample (default 95%)",
         **CERTIFICATE,
-        "--csv FILE": "a table with a line for each scene: verdict, reason, enclosures",
+        "--csv FILE": "a table with a line for each scene, or for each collision of many particles",
         "--trajectory FILE": "a table of centres and velocities after each collision",
         "--plot FILE": "draw it: .svg (a sample, too), .html with an animation",
     },
@@ -81,6 +83,8 @@ def run(options: Options) -> int:
     cutoff = None if options.cutoff is None else positive("--cutoff", options.cutoff)
     if cutoff and (os.path.isdir(options.scene) or options.sample or options.grid):
         raise InputError("--cutoff: it is for one scene; leave it out")
+    if options.until and (os.path.isdir(options.scene) or options.sample or options.grid):
+        raise InputError("--until: it is for one scene; leave it out")
     if os.path.isdir(options.scene):
         from verify.cli.scene_folder import run_folder  # loaded only where it is used
 
@@ -92,6 +96,12 @@ def run(options: Options) -> int:
         return run_points(options, limits, jobs)
     if jobs > 1:
         raise InputError("--jobs: leave it out with one scene")
+    table = _table_of_many(options)
+    if table is not None:
+        from verify.cli.scene_many import run_many  # loaded only where it is used
+
+        until = None if options.until is None else positive("--until", options.until)
+        return run_many(options, table, limits, until)
     test_folder("--out", options.out, "statement.json", "certificate.json")
     plot = _plot_kind(options.plot)
     scene, values = _scene(options)
@@ -110,6 +120,16 @@ def run(options: Options) -> int:
         more = [] if cutoff is None else [cutoff_line(found.verdict, options.cutoff, count)]
         show([*_text(found, judge, limits, options), *more], options)
     return exit_code(told(found))
+
+
+def _table_of_many(options: Options) -> dict[str, Any] | None:
+    """What is in a file of more particles, walls, gravity or a box; None for a scene of three."""
+    if options.at is not None:
+        return None
+    from verify.spheres.many.system_file import is_many, table_in  # loaded only where it is used
+
+    table = table_in(options.scene, read_bytes("scene", options.scene))
+    return table if is_many(table) or options.until is not None else None
 
 
 def _scene(options: Options) -> tuple[Scene, Mapping[str, Fraction]]:

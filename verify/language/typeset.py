@@ -1,11 +1,17 @@
-"""Terms and claims as people write them: plain text in the paper's letters."""
+"""Terms and claims as people write them: plain text in the paper's letters, and which those are.
+
+What looks alike in one sentence is told apart.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 
-from verify.language.statement import Always, Applies
-from verify.language.terms import Claim, Term, signs_in
+from verify.language.statement import Always, Applies, Constant, Statement, Variable
+from verify.language.terms import Claim, Term, names_of, signs_in
 
 _SUM, _PRODUCT, _NEGATION, _POWER, _ATOM = range(5)
 _LEVELS = {
@@ -25,6 +31,41 @@ MAX_SIGNS = 1 << 15
 MAX_LEVELS = 100
 LONG = "(long: see the statement file)"
 _BINARY = ("add", "sub", "mul", "div")
+
+_SPELLED = ((r"\cdot", "·"), (r"\sqrt", "√"), ("−", "-"))
+_BRACKETS = re.compile(r"\([^()]*\)|\{[^{}]*\}|\|[^|]*\|")
+#: A function of what follows, or signs of a sum behind the first.
+_OF_A_SUM = re.compile(r"(?<![A-Za-z])(?:cos|sin|tan|exp|log|ln)(?![A-Za-z])|.[-+]")
+#: Signs of a product, and what stands beside another without one.
+_OF_A_PRODUCT = re.compile(r"[/·]|.\*\w|[⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ][^\W\d_]|^[0-9]+[^\W\d]")
+_OF_A_POWER = re.compile(r"[⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ]|^√")
+
+
+#: A longer letter is taken for a sum.
+MAX_LETTER = 200
+
+
+@lru_cache(1000)
+def level_of(letter: str) -> int:
+    """How tightly a letter, plain or in LaTeX, holds together: as the term that it looks like.
+
+    The letters 1+d', -η and r^(1/3) stand for one symbol, and are read as a sum, a negation and a
+    power; what is in brackets, in an index or in an exponent does not matter.
+    """
+    if len(letter) > MAX_LETTER:
+        return _SUM
+    for sign, other in _SPELLED:
+        letter = letter.replace(sign, other)
+    rest, before = letter, ""
+    while rest != before:
+        rest, before = _BRACKETS.sub("x", rest), rest
+    is_power = "^" in rest
+    rest = re.sub(r"[\^_].", "", rest)
+    if _OF_A_SUM.search(rest):
+        return _SUM
+    if _OF_A_PRODUCT.search(rest) or rest.startswith("-"):
+        return _NEGATION
+    return _POWER if is_power or _OF_A_POWER.search(rest) else _ATOM
 
 
 class Lengths:
@@ -133,6 +174,8 @@ class Typesetter:
     def _inside(self, term: Term, level: int) -> str:
         text = self.term(term)
         own = _LEVELS.get(term.op, _ATOM)
+        if term.op == "symbol":
+            own = level_of(text)
         if term.op == "rational" and (term.value < 0 or term.value.denominator > 1):
             own = _NEGATION if term.value < 0 else _PRODUCT
         return text if own >= level else f"({text})"
@@ -144,3 +187,80 @@ class Typesetter:
             name = FUNCTION_NAMES.get(op, op)
             arguments = ", ".join(map(self.term, term.children))
         return f"{name}({arguments})"
+
+
+# --- letters --------------------------------------------------------------------------------------
+
+#: A name with a hyphen, which is a difference where formulas are typeset.
+_HYPHENATED = re.compile(r"[A-Za-z][A-Za-z0-9_.]*(?:[-+][A-Za-z0-9_.]*)+", re.ASCII)
+#: What stands for a number, and for no name.
+_NUMBER = re.compile(r"[0-9./]+|π|\\pi ?")
+
+Letters = Mapping[str, tuple[str, str]]
+
+
+def letters_apart(statement: Statement) -> Letters:
+    """For each constant and variable its letter, plain and in LaTeX.
+
+    Two that have one letter and occur in one sentence are shown by their names, and so is what has
+    a number as its letter. In LaTeX these names, and others with a hyphen, are in typewriter type.
+    """
+    symbols = {one.name: one for one in _symbols(statement)}
+    alike = _alike(statement, symbols)
+    return {name: _shown(one, is_alike=name in alike) for name, one in symbols.items()}
+
+
+def _symbols(statement: Statement) -> Iterator[Constant | Variable]:
+    yield from statement.constants
+    for context in statement.contexts:
+        yield from context.variables
+        yield from context.constants
+
+
+def _shown(one: Constant | Variable, *, is_alike: bool) -> tuple[str, str]:
+    if is_alike or _NUMBER.fullmatch(one.letter) or _NUMBER.fullmatch(one.tex):
+        return one.name, rf"\texttt{{{one.name}}}"
+    if _HYPHENATED.fullmatch(one.letter) and one.tex in ("", one.letter):
+        return one.letter, rf"\texttt{{{one.letter}}}"
+    return one.letter or one.name, one.tex
+
+
+def _alike(statement: Statement, symbols: Mapping[str, Constant | Variable]) -> set[str]:
+    """The names that have the letter of another one in one sentence of the statement."""
+    kinds = [{name: one.letter or name for name, one in symbols.items()}]
+    kinds.append({name: one.tex or name for name, one in symbols.items()})
+    found: set[str] = set()
+    shared = [{c for c, n in Counter(kind.values()).items() if n > 1} for kind in kinds]
+    several = {
+        name
+        for kind, common in zip(kinds, shared, strict=True)
+        for name, letter in kind.items()
+        if letter in common
+    }
+    for sentence in _sentences(statement) if several else ():
+        names = several & {*sentence}
+        for kind in kinds if len(names) > 1 else ():
+            count = Counter(kind[name] for name in names)
+            found |= {name for name in names if count[kind[name]] > 1}
+    return found
+
+
+def _sentences(statement: Statement) -> Iterator[Iterable[str]]:
+    """The names that occur together: in a claim, in a definition, as variables of a context."""
+    for context in statement.contexts:
+        yield [variable.name for variable in context.variables]
+        yield from (names_of(g.claim.lhs, g.claim.rhs) for g in context.givens)
+        yield from map(_definition, context.constants)
+    yield from map(_definition, statement.constants)
+    for row in statement.obligations:
+        claim = row.claim
+        if isinstance(claim, Claim):
+            yield names_of(claim.lhs, claim.rhs)
+            continue
+        for values in (claim.at,) if isinstance(claim, Applies) else (claim.start, claim.next):
+            yield from ([*values], names_of(*values.values()))
+
+
+def _definition(constant: Constant) -> Iterable[str]:
+    """The names in a definition; one that only names another constant anew may have its letter."""
+    return () if constant.term.op == "symbol" else {constant.name, *names_of(constant.term)}

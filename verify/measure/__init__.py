@@ -1,4 +1,4 @@
-"""Measurements: `bench` and `stress`. It may use every other room but the command line."""
+"""Measurements: `bench` and `stress`. It may use every other package but the command line."""
 
 from __future__ import annotations
 

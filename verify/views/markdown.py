@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from verify.language.statement import Always, Applies, Constant, Obligation, Variable
-from verify.language.terms import Claim, Term
+from verify.language.terms import Claim, Term, symbol
 from verify.language.typeset import LONG, Typesetter
 from verify.prover.outcome import Decision, Outcome
 from verify.publication import REPAIRED, Publication
@@ -35,7 +35,7 @@ class Texts:
 
     def letter(self, one: Constant | Variable) -> str:
         """The letter of a constant or a variable."""
-        return one.letter or one.name
+        return self._typesetter.term(symbol(one.name))
 
 
 def _brief(text: str) -> str:
@@ -70,7 +70,11 @@ def content(outcome: Outcome, paper: Publication, write: Any) -> dict[str, Any]:
             sign, bound = bounds.get(one.name, ("=", one))
             least = minimum_of(outcome, one).least if one.term.op == "min" else None
             definition = write.term(bound.term, sign)
-            yield write.letter(one), group, words.ends_told(ends), definition, least
+            letter, group = (
+                write.letter(one),
+                "" if typesetter.term(symbol(one.name)) == one.name else group,
+            )
+            yield letter, group, words.ends_told(ends), definition, least
 
     return {
         "blocks": write.blocks,

@@ -12,7 +12,7 @@ from fractions import Fraction
 from html import escape
 
 from verify.language.terms import Claim, Term
-from verify.language.typeset import FUNCTION_NAMES, LONG, Lengths
+from verify.language.typeset import FUNCTION_NAMES, LONG, Lengths, level_of
 
 _SUM, _PRODUCT, _NEGATION, _ATOM = range(4)
 _LEVELS = {"add": _SUM, "sub": _SUM, "mul": _PRODUCT, "neg": _NEGATION}
@@ -26,6 +26,8 @@ _GREEK = {
     "phi": "φ", "varphi": "φ", "Phi": "Φ", "chi": "χ", "psi": "ψ", "Psi": "Ψ", "omega": "ω",
     "Omega": "Ω", "ell": "ℓ",
 }  # fmt: skip
+#: A name that stands in place of a letter, as it is.
+AS_IT_IS = re.compile(r"\\texttt\{([A-Za-z0-9_.:-]+)\}", re.ASCII)
 _TOKEN = re.compile(r"\\[A-Za-z]+|[A-Za-z]|[0-9]+|[_^{}|*+()/,'-]")
 
 
@@ -108,13 +110,20 @@ class MathML:
 
     def _letter(self, name: str) -> str:
         """The letter of a symbol; where it is other LaTeX, that of its name, or the name."""
-        for tex in (self._letters.get(name, ""), _spelled(name)):
+        return self._letter_and_level(name)[0]
+
+    def _letter_and_level(self, name: str) -> tuple[str, int]:
+        """The letter, and how tightly it holds together."""
+        found = self._letters.get(name, "")
+        if as_it_is := AS_IT_IS.fullmatch(found):
+            return f"<mi>{escape(as_it_is[1])}</mi>", _ATOM
+        for tex in (found, _spelled(name)):
             try:
                 if tex:
-                    return letter(tex)
+                    return letter(tex), min(level_of(tex), _ATOM)
             except ValueError:
                 continue
-        return f"<mi>{escape(name)}</mi>"
+        return f"<mi>{escape(name)}</mi>", _ATOM
 
     def _product(self, left: Term, right: Term) -> str:
         # Two numbers side by side would read as one.
@@ -132,14 +141,17 @@ class MathML:
 
     def _after_sign(self, term: Term, level: int) -> str:
         """The same after an operator, where a minus sign must not stand first."""
-        if _starts_with_minus(term):
-            return f"<mrow>{_fenced(self._term(term))}</mrow>"
+        text = self._term(term)
+        if _starts_with_minus(term) or text.startswith("<mrow><mo>−</mo>"):
+            return f"<mrow>{_fenced(text)}</mrow>"
         return self._inside(term, level)
 
     def _inside(self, term: Term, level: int, power: bool = False) -> str:
         own = _LEVELS.get(term.op, _ATOM)
         if term.op == "rational" and term.value < 0:
             own = _NEGATION
+        if term.op == "symbol":
+            own = self._letter_and_level(term.name)[1]
         if power and (
             term.op in ("div", "pow") or (term.op == "rational" and term.value.denominator > 1)
         ):

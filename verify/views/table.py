@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 
 from verify.language.statement import PRINTED, REFUTED, Constant
+from verify.language.terms import symbol
 from verify.language.typeset import Typesetter
 from verify.prover.outcome import Outcome
 from verify.publication import HYPOTHESES, REPAIRED, Publication
@@ -91,10 +92,11 @@ def _changes(paper: Publication) -> Iterator[str]:
 
 def _constant(outcome: Outcome, constant: Constant, typesetter: Typesetter) -> Iterator[str]:
     value = words.ends_told(words.ends_of(outcome, constant.name))
+    letter = typesetter.term(symbol(constant.name))
     if constant.term.op == "rational":  # chosen; the rows have its bounds
-        yield f"  {constant.letter:<6} {value}"
+        yield f"  {letter:<6} {value}"
         return
-    yield f"  {constant.letter:<6} {value:<14} = {typesetter.term(constant.term)}"
+    yield f"  {letter:<6} {value:<14} = {typesetter.term(constant.term)}"
     if constant.term.op == "min":
         minimum = minimum_of(outcome, constant)
         for number, entry in enumerate(minimum.entries, 1):

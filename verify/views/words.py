@@ -21,7 +21,7 @@ from verify.language.statement import (
     Obligation,
 )
 from verify.language.terms import Claim, Term, names_of, symbol
-from verify.language.typeset import LONG, Typesetter
+from verify.language.typeset import LONG, Typesetter, letters_apart
 from verify.prover.decimals import as_one, short, told_apart
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 from verify.publication import HYPOTHESES, LETTERS, OTHERWISE, REMARK, TITLE_LETTERS, Publication
@@ -263,20 +263,13 @@ def groups(outcome: Outcome) -> list[str]:
 
 def letters(outcome: Outcome) -> Typesetter:
     """A typesetter in the paper's letters."""
-    names = {c.name: c.letter for c in outcome.statement.constants}
-    for context in outcome.statement.contexts:
-        names |= {v.name: v.letter for v in context.variables}
-        names |= {c.name: c.letter for c in context.constants}
+    names = {name: letter for name, (letter, _) in letters_apart(outcome.statement).items()}
     return Typesetter(names | parameter_letters(outcome))
 
 
 def tex_letters(outcome: Outcome) -> dict[str, str]:
     """The letters of all constants and variables in LaTeX."""
-    found = {one.name: one.tex for one in outcome.statement.constants}
-    for context in outcome.statement.contexts:
-        found |= {variable.name: variable.tex for variable in context.variables}
-        found |= {one.name: one.tex for one in context.constants}
-    return found
+    return {name: tex for name, (_, tex) in letters_apart(outcome.statement).items()}
 
 
 def parameter_letters(outcome: Outcome) -> dict[str, str]:

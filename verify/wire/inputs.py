@@ -159,7 +159,12 @@ def check_length(option: object, text: str) -> None:
 
 def shown(text: str, most: int = 40) -> str:
     """A text as an error message quotes it: in quotes, and cut if longer than ``most``."""
-    return repr(text if len(text) <= most else f"{text[: most // 2]}...{text[-most // 4 :]}")
+    return repr(cut(text, most))
+
+
+def cut(text: str, most: int = 100) -> str:
+    """A text, without its middle if it is longer."""
+    return text if len(text) <= most else f"{text[: most // 2]}...{text[-most // 4 :]}"
 
 
 def file_name(path: str) -> str:
@@ -182,6 +187,6 @@ def nearest(name: str, known: Iterable[str], otherwise: str = "") -> str:
     names = list(known)
     meant = near(name, names)
     if meant:
-        return f"did you mean {meant}?"
-    some = ", ".join(names[:8]) + (", ..." if len(names) > 8 else "")
+        return f"did you mean {cut(meant)}?"
+    some = ", ".join(map(cut, names[:8])) + (", ..." if len(names) > 8 else "")
     return otherwise or (f"write one of {some}" if some else "there is none")

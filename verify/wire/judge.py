@@ -136,7 +136,7 @@ def known(name: str, statement: Statement, *, anew: bool = False) -> Outcome | N
     """The outcome of a statement, if it comes with the program under this name; else None.
 
     It is compared with the statement that the checker has accepted: after any change to what the
-    paper's room says, they differ, and whoever asks has to prove it anew.
+    paper's pages say, they differ, and whoever asks has to prove it anew.
 
     Raises:
         OwnError: if the files that came with the program were changed, or the checker refuses them.

@@ -15,9 +15,13 @@ from verify.wire.meant import hundredth
 
 #: A longer statement is not mended, and at so many places a mark or a bracket is tried.
 MAX_SIGNS, MAX_PLACES = 240, 12
+#: A line with more signs is not looked at closely, nor a text with more marks behind a backslash.
+MAX_LINE, MAX_MARKS = 4000, 100
 
 _LONG_TEXT = re.compile(r'"""(?:[^\\]|\\.)*?"{3,5}|' + r"'''.*?'{3,5}", re.DOTALL)
 _TEXT = re.compile(r"""(#[^\n]*)|"(?:[^"\\\n]|\\.)*"|'[^'\n]*'""")
+#: The same in a long line, where the last one needs no end.
+_TEXT_OR_REST = re.compile(r"""#[^\n]*|"[^"\\\n]*+(?:\\.[^"\\\n]*+)*+"?|'[^'\n]*+'?""")
 #: Signs that stand for texts in quotes while a statement is rewritten.
 _MASK, _T = 0xE000, "\ue000-\uf8ff"
 _WORD = r"""(?:"[^"\n]*"|'[^'\n]*'|[^\s=:<>\[\]{},;"'#!()]+'*)"""
@@ -100,7 +104,10 @@ def _remedy(text: str, told: str) -> tuple[int, str, str]:
     """The line, what is wrong there, and what to write, or nothing where that is not known."""
     if text.lstrip().startswith("{"):
         return 1, "it looks like JSON", "write lines such as r = 0.03, without braces around them"
-    lines = _LONG_TEXT.sub(lambda found: '"_"' + "\n" * found[0].count("\n"), text).split("\n")
+    lines = text.split("\n")
+    if text.count('\\"""') <= MAX_MARKS:
+        short = _LONG_TEXT.sub(lambda found: '"_"' + "\n" * found[0].count("\n"), text)
+        lines = short.split("\n")
     for start, statement in _statements(lines):
         alone = _told(statement)
         if alone:
@@ -120,10 +127,11 @@ def _statements(lines: list[str]) -> Iterator[tuple[int, str]]:
     """The index of the line in which a statement begins, and the statement."""
     start, depth = 0, 0
     for i, line in enumerate(lines):
-        if i > start and (depth <= 0 or _BEGINNING.match(line)):
+        is_long = len(line) > MAX_LINE
+        if i > start and (depth <= 0 or not (is_long or _BEGINNING.match(line) is None)):
             yield start, "\n".join(lines[start:i]).rstrip()
             start, depth = i, 0
-        plain = _TEXT.sub("", line)
+        plain = (_TEXT_OR_REST if is_long else _TEXT).sub("", line)
         depth += plain.count("[") - plain.count("]")
     yield start, "\n".join(lines[start:]).rstrip()
 

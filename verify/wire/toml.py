@@ -13,16 +13,17 @@ MAX_WORD = 4300
 #: Of the parts of a key, and of brackets inside of one another.
 MAX_PARTS, MAX_NESTING = 100, 100
 
-#: Texts in quotation marks, and comments.
+#: Texts in quotation marks, and comments; a text without an end goes to that of its line.
 _QUOTED = re.compile(
     r'"""[^"\\]*+(?:(?:\\.|"{1,2}(?!"))[^"\\]*+)*+"{3,5}|'
     r"""'''[^']*+(?:'{1,2}(?!')[^']*+)*+'{3,5}|"""
-    r'"[^"\\\n]*+(?:\\.[^"\\\n]*+)*+"|'
+    r'"[^"\\\n]*+(?:\\.[^"\\\n]*+)*+"?|'
     r"'[^'\n]*+'|#[^\n]*+",
     re.DOTALL,
 )
 _WORD = re.compile(r"[^\s\[\]{},=.]++")
-_KEY = re.compile(rf"(?<![^\s\[\]{{}},=.])(?:[^\s\[\]{{}},=.]*+[ \t]*+\.[ \t]*+){{{MAX_PARTS}}}")
+_PART = r"[^\s\[\]{},=.]"
+_KEY = re.compile(rf"(?<!{_PART})(?={_PART})(?:{_PART}*+[ \t]*+\.[ \t]*+){{{MAX_PARTS}}}")
 
 
 class TooLongError(ValueError):

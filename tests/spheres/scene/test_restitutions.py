@@ -88,7 +88,7 @@ def test_a_file_has_one_or_three() -> None:
         'restitution = ["0.3", "0.2", "0.5"]',
         'restitution = {"01" = "0.3", "02" = "0.2"}',
         'restitution = {"01" = "0.3", "02" = "0.2", "21" = "0.2"}',
-        'restitution = {"01" = "0.3", "02" = "0.2", "12" = "1"}',
+        'restitution = {"01" = "0.3", "02" = "0.2", "12" = "1.1"}',
         'restitution = {"01" = "0.3", "02" = "0.2", "12" = "0"}',
         'restitution = {"01" = "0.3", "02" = "0.2", "12" = 0.5e}',
         'restitution = "0.3"\nr = "0.3"',

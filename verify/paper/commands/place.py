@@ -1,4 +1,4 @@
-"""A name of the paper's room, and where it is written."""
+"""A name in the paper's pages, and where it is written."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(__file__)
 
 
 class Place(Record):
-    """A name of the paper's room, what it says there, and where it is written."""
+    """A name in the paper's pages, what it says there, and where it is written."""
 
     name: str
     label: str

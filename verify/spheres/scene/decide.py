@@ -126,38 +126,42 @@ def on_a_line(found: Fate, budget: Budget) -> Fate | None:
 def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
     """The verdict as far as balls of one precision show it."""
     with balls.precision(bits):
-        flow = Flow(scene, bits)
-        known: Fate | None = None
-        wait = found_at = 0
-        event: Event | None = None
-        try:
-            while True:
-                end = None
-                if flow.now is not None and wait <= 0:
-                    end = find_end(flow)
-                    wait = len(flow.collisions) // PATIENCE
-                if end is not None:
-                    known, found_at = Fate(COLLAPSES, "", flow, end), len(flow.collisions)
-                    if is_tight(end, budget.digits):
-                        return known
-                    wait = more_collisions(end, budget.digits)
-                if len(flow.collisions) >= budget.collisions:
-                    break
-                if not flow.advance():
-                    return Fate(DISPERSES, "no pair meets any more", flow, why=APART)
-                wait -= 1
-            reason, why = spent(budget), BUDGET
-            event = None if known else in_no_time(flow)
-            criterion = None if known or event else finitely_many(flow)
-        except UnclearError as error:
-            reason, why, criterion = str(error), error.name, None
-            event = None if known else what_happens(flow)
-        if known is not None:
-            return _at_last(known._replace(reason=reason), found_at, budget.digits)
-        if event is not None:
-            return Fate(UNDECIDED, told_event(event), flow, why=event.name, event=event)
-        verdict = UNDECIDED if criterion is None else FINITE
-        return Fate(verdict, reason, flow, None, criterion, None, why)
+        return follow(Flow(scene, bits), budget)
+
+
+def follow(flow: Flow, budget: Budget) -> Fate:
+    """The verdict as far as balls of the current precision show it, from the start of a flow."""
+    known: Fate | None = None
+    wait = found_at = 0
+    event: Event | None = None
+    try:
+        while True:
+            end = None
+            if flow.now is not None and wait <= 0:
+                end = find_end(flow)
+                wait = len(flow.collisions) // PATIENCE
+            if end is not None:
+                known, found_at = Fate(COLLAPSES, "", flow, end), len(flow.collisions)
+                if is_tight(end, budget.digits):
+                    return known
+                wait = more_collisions(end, budget.digits)
+            if len(flow.collisions) >= budget.collisions:
+                break
+            if not flow.advance():
+                return Fate(DISPERSES, "no pair meets any more", flow, why=APART)
+            wait -= 1
+        reason, why = spent(budget), BUDGET
+        event = None if known else in_no_time(flow)
+        criterion = None if known or event else finitely_many(flow)
+    except UnclearError as error:
+        reason, why, criterion = str(error), error.name, None
+        event = None if known else what_happens(flow)
+    if known is not None:
+        return _at_last(known._replace(reason=reason), found_at, budget.digits)
+    if event is not None:
+        return Fate(UNDECIDED, told_event(event), flow, why=event.name, event=event)
+    verdict = UNDECIDED if criterion is None else FINITE
+    return Fate(verdict, reason, flow, None, criterion, None, why)
 
 
 def in_no_time(flow: Flow) -> Event | None:

@@ -52,9 +52,11 @@ OPTIONAL = (DIAMETER, MASSES, RADII, RESTITUTION)
 LABELS = Labels._fields
 MAX_LABEL = 80
 #: What people ask for, and what these spheres do not have.
-NO_PHYSICS = frozenset(
-    ("box", "force", "forces", "friction", "gravity", "rotation", "spin", "spins", "wall", "walls")
-)
+NO_PHYSICS = frozenset(("force", "forces", "friction", "rotation", "spin", "spins"))
+#: What only a file that is decided alone may have; it may have more than three particles, too.
+GRAVITY, WALLS, BOX = SURROUNDINGS = ("gravity", "walls", "box")
+#: In place of positions and velocities: the name of a file beside that of the scene.
+PARTICLES = "particles"
 MAX_DIMENSION = 20
 MAX_BYTES = 1 << 20
 
@@ -65,6 +67,13 @@ R_AT_THE_TOP = (
 
 #: What to write where a line is not TOML, and nobody knows what was meant.
 LIKE_THIS = f"write {', '.join(KEYS)}, such as r = 0.03"
+
+
+#: What to do with a scene of many where scenes of three are asked for.
+ALONE = (
+    "scenes of a folder, of a family or with --at have three particles and nothing else; decide "
+    "this file alone: verify scene FILE"
+)
 
 
 class OverlapError(InputError):
@@ -100,15 +109,15 @@ def scene_from(where: str, table: dict[str, Any]) -> Scene:
         InputError: naming the file, the key, and what to write instead.
     """
     both = _restitutions(where, table)
-    unit = _diameter(where, table)
-    masses, radii = _each(where, MASSES, table), _each(where, RADII, table)
+    unit = diameter_in(where, table)
+    masses, radii = each_of(where, MASSES, table), each_of(where, RADII, table)
     if radii and DIAMETER in table:
         raise InputError(f"{where}: {RADII}: the file has a {DIAMETER} too; write one of them")
     if len({*radii}) == 1:
         unit, radii = 2 * radii[0], ()
-    positions, velocities = (_rows(where, key, table, unit) for key in KEYS[1:])
-    labels = _labels(where, table, None if radii else unit)
-    _same_dimension(where, {"position": positions, "velocity": velocities})
+    positions, velocities = (rows_in(where, key, table, unit) for key in KEYS[1:])
+    labels = labels_in(where, table, None if radii else unit)
+    same_dimension(where, {"position": positions, "velocity": velocities})
     mass = masses[0] if masses else Fraction(1)
     several = None if len({*both}) == 1 else both
     bodies = _bodies(masses, radii, are_equal=several is None)
@@ -154,10 +163,12 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
             raise InputError(f"{where}: r: {R_AT_THE_TOP}")
         if odd[0] in KEYS:
             raise InputError(f"{where}: {shown(odd[0])} is missing; write {', '.join(KEYS)}")
+        if odd[0] in (PARTICLES, *SURROUNDINGS):
+            raise InputError(f"{where}: {odd[0]}: {ALONE}")
         if odd[0].lower() in NO_PHYSICS:
             raise InputError(
                 f"{where}: {shown(odd[0])} is not part of the model: smooth spheres without spin, "
-                "walls or forces; leave it out"
+                "friction or forces but gravity; leave it out"
             )
         others = ", ".join([*OPTIONAL, *LABELS])
         raise InputError(
@@ -177,13 +188,19 @@ def _meant_key(odd: str, table: dict[str, Any]) -> str:
     return f" (do you mean {meant[0]}?)" if meant else ""
 
 
-def _each(where: str, key: str, table: dict[str, Any]) -> tuple[Fraction, ...]:
-    """A positive number for each particle; none if the file does not have them."""
+def each_of(where: str, key: str, table: dict[str, Any], number: int = 3) -> tuple[Fraction, ...]:
+    """A positive number for each particle; none if the file does not have them.
+
+    Raises:
+        InputError: naming the file, the key, and what to write instead.
+    """
     if key not in table:
         return ()
     given = table[key]
-    if not isinstance(given, list) or len(given) != 3:
-        raise InputError(f'{where}: {key}: write one for each particle, like ["1", "2", "1"]')
+    if not isinstance(given, list) or len(given) != number:
+        raise InputError(
+            f'{where}: {key}: write one for each particle, {number} in all, like ["1", "2", "1"]'
+        )
     found = tuple(
         number_in(f"{where}: {key} of particle {i}", value) for i, value in enumerate(given)
     )
@@ -231,8 +248,12 @@ def _bodies(
     return Bodies(masses or (Fraction(1),) * 3, radii or (HALF,) * 3)
 
 
-def _labels(where: str, table: dict[str, Any], unit: Fraction | None) -> Labels:
-    """The texts, as they are written; the unit of length with the diameter in it, if it is that."""
+def labels_in(where: str, table: dict[str, Any], unit: Fraction | None) -> Labels:
+    """The texts, as they are written; the unit of length with the diameter in it, if it is that.
+
+    Raises:
+        InputError: naming the file, the key, and what to write instead.
+    """
     texts = [table.get(name, "") for name in LABELS]
     for name, text in zip(LABELS, texts, strict=True):
         if not isinstance(text, str) or not text.isprintable() or len(text) > MAX_LABEL:
@@ -246,7 +267,12 @@ def _labels(where: str, table: dict[str, Any], unit: Fraction | None) -> Labels:
     return found._replace(length_unit=f"{exact_number(unit)} {found.length_unit}")
 
 
-def _diameter(where: str, table: dict[str, Any]) -> Fraction:
+def diameter_in(where: str, table: dict[str, Any]) -> Fraction:
+    """The diameter of all particles, or 1.
+
+    Raises:
+        InputError: naming the file, the key, and what to write instead.
+    """
     given = table.get(DIAMETER, 1)
     unit = number_in(f"{where}: {DIAMETER}", given)
     if unit <= 0:
@@ -254,13 +280,23 @@ def _diameter(where: str, table: dict[str, Any]) -> Fraction:
     return unit
 
 
-def _rows(
-    where: str, key: str, table: dict[str, Any], unit: Fraction
+def rows_in(
+    where: str, key: str, table: dict[str, Any], unit: Fraction, number: int = 3
 ) -> tuple[tuple[Fraction, ...], ...]:
+    """The lists of coordinates, one for each particle, in this unit.
+
+    Raises:
+        InputError: naming the file, the key, and what to write instead.
+    """
     rows = table[key]
-    if not isinstance(rows, list) or len(rows) != 3 or not all(isinstance(x, list) for x in rows):
+    if not isinstance(rows, list) or not all(isinstance(x, list) for x in rows):
+        rows = []
+    if len(rows) > number == 3:
+        raise InputError(f"{where}: {key}: {len(rows)} particles: {ALONE}")
+    if len(rows) != number:
         raise InputError(
-            f"{where}: {key}: write three lists of numbers, one for each particle, like "
+            f"{where}: {key}: write {'three' if number == 3 else number} lists of numbers, one for "
+            "each particle, like "
             "[[0, 0], [2, 0], [1, -3]] without quotes around them"
         )
     return tuple(
@@ -300,10 +336,11 @@ def number_in(where: str, value: Any) -> Fraction:
     raise InputError(f'{where}: {shown(str(value))} is not a number; write it like 0.03 or "3/100"')
 
 
-def _same_dimension(where: str, vectors: Mapping[str, Sequence[Sequence[Fraction]]]) -> None:
+def same_dimension(where: str, vectors: Mapping[str, Sequence[Sequence[Fraction]]]) -> None:
     """Afterwards all vectors have the same number of coordinates, not too many, and at least one.
 
-    Those that have another number than most are named.
+    Raises:
+        InputError: naming those that have another number than most.
     """
     found = {
         f"the {key} of particle {i}": len(row)

@@ -21,11 +21,13 @@ from verify.language.statement import (
     Obligation,
 )
 from verify.language.terms import Claim, Term
+from verify.language.typeset import letters_apart
 from verify.prover.decimals import as_one, short, told_apart
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.uses import nodes
 from verify.publication import REPAIRED, Publication
 from verify.views.enclosures import exactly
+from verify.views.mathml import AS_IT_IS
 from verify.views.point import in_numbers
 from verify.views.tex.formulas import Formulas, safe_letter
 from verify.views.tex.sentences import name, tex_number, words
@@ -354,18 +356,14 @@ def _letters(outcome: Outcome) -> tuple[dict[str, str], dict[str, str]]:
         key: PARAMETERS[key] if letter != key else ("", key)
         for key, letter in parameter_letters(outcome).items()
     }
-    constants = list(statement.constants)
-    for context in statement.contexts:
-        found |= {
-            v.name: (SPELLED.get(v.tex, v.tex), v.letter or v.name) for v in context.variables
-        }
-        constants += context.constants
-    found |= {c.name: (c.tex, c.letter or c.name) for c in constants}
+    for symbol, (letter, own) in letters_apart(statement).items():
+        found[symbol] = (SPELLED.get(own, own), letter)
     tex = {name: safe_letter(*pair) for name, pair in found.items()}
     sets = {row.group for row in statement.obligations}
     for constant in statement.constants:
         group = constant.name.rpartition(".")[0]
-        if group and group in sets:  # the same letter in the printed and in the repaired set
+        if group and group in sets and not AS_IT_IS.fullmatch(found[constant.name][0]):
+            # the same letter in the printed and in the repaired set
             tex[constant.name] = rf"{{{tex[constant.name]}}}^{{\text{{{words(group)}}}}}"
     tex = {
         name: f"({letter})" if letter.startswith("-") else letter for name, letter in tex.items()

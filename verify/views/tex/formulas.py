@@ -12,8 +12,8 @@ from fractions import Fraction
 
 from verify.language.simplify import simplified, simplified_claim
 from verify.language.terms import FUNCTIONS, Claim, Term
-from verify.language.typeset import FUNCTION_NAMES, LONG, Lengths, Typesetter
-from verify.views.mathml import in_braces
+from verify.language.typeset import FUNCTION_NAMES, LONG, Lengths, Typesetter, level_of
+from verify.views.mathml import AS_IT_IS, in_braces
 from verify.views.mathml import letter as read_letter
 from verify.views.tex.sentences import math
 
@@ -103,7 +103,7 @@ class Formulas:
         if term.op == "rational":
             return text if text.isdigit() else f"({text})"
         if term.op == "symbol":  # the power of r^{1/3} is no higher exponent
-            return f"({text})" if "^" in text else f"{{{text}}}"
+            return f"({text})" if "^" in text or level_of(text) < _ATOM else f"{{{text}}}"
         return self._inside(term, _ATOM)
 
     def _function(self, op: str, parts: tuple[Term, ...]) -> str:
@@ -111,7 +111,7 @@ class Formulas:
             if self._short(parts[0]):
                 return rf"\sqrt{{{self._term(parts[0])}}}"
             return f"({self._term(parts[0])})^{{1/2}}"
-        if op == "exp" and self._short(parts[0]):
+        if op == "exp" and self._short(parts[0]) and "e" not in self._letters.values():
             return f"e^{{{self._term(parts[0])}}}"
         if op == "cos_pi":
             return rf"\cos({self._inside(parts[0], _PRODUCT)}\, \pi)"
@@ -136,6 +136,8 @@ class Formulas:
         if term.op == "div":
             barred = all(map(self._short, term.children))
             return _NEGATION if barred else _PRODUCT
+        if term.op == "symbol":
+            return min(level_of(self.symbol(term.name)), _ATOM)
         return _PRODUCT if term.op == "mul" else _ATOM
 
 
@@ -180,6 +182,8 @@ def grouped(digits: str) -> str:
 
 def safe_letter(tex: str, plain: str) -> str:
     """The LaTeX of a letter where it is one, else its plain text: files have what they like."""
+    if AS_IT_IS.fullmatch(tex):
+        return tex.replace("_", r"\_")
     try:
         if not tex:
             raise ValueError("no letter")

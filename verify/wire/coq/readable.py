@@ -157,10 +157,12 @@ FUNCTIONS = {
 }  # fmt: skip
 #: A name of these is Coq's, or one that the file needs.
 TAKEN = (
+    "Axiom CoFixpoint Definition Fixpoint Hypothesis Parameter Theorem Variable by "
     "as at cofix else end exists exists2 fix for forall fun if in let match mod return then using "
     "where with Prop Set Type SProp R Rmin Rmax sqrt cos exp ln sin atan nth_root PI v fst snd "
     "Some None nil cons pair true false eq_refl values show read table numbered Qmake list nat "
-    "positive"
+    "positive accepted proved Always Applies Forall citations_true one_more ordered proved_row "
+    "read_row refuted_row right_values row_true rows said_row says"
 )
 #: A term that is longer in letters is not readable.
 MAX_LETTERS = 200_000
@@ -182,11 +184,11 @@ class Notation:
         """A name for Coq, always the same one."""
         if name not in self.given:
             found = re.sub("[^A-Za-z0-9_]", "_", name)
-            while found in self.used or re.match(
+            while not {found, f"{found}_is"}.isdisjoint(self.used) or re.match(
                 r"(the|row|shape|values|right|number|context|all)_", found
             ):
                 found = f"{found}_" if found in self.used else f"its_{found}"
-            self.used.add(found)
+            self.used |= {found, f"{found}_is"}
             self.given[name] = found
         return self.given[name]
 

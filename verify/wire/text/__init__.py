@@ -2,8 +2,8 @@
 
 `infix.py` reads and writes one formula; `read_page.py` reads a page and `write_page.py` writes one;
 what is written is read as the same statement. `smtlib.py` and `fpcore.py` read the questions of
-other programs, with `lisp.py` and `formulas.py`; `conjunctions.py` makes rows of formulas. The room
-uses the language and the readers of numbers beside it. A newcomer begins with `infix.py`.
+other programs, with `lisp.py` and `formulas.py`; `conjunctions.py` makes rows of formulas. The
+package uses the language and the readers of numbers beside it. A newcomer begins with `infix.py`.
 """
 
 from __future__ import annotations

@@ -28,7 +28,9 @@ MAX_READ = 100_000
 #: What is ``distinct`` has at most half as many pairs.
 MAX_PAIRS = 50_000
 
-_NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?|[+-]?[0-9]+/[0-9]+")
+_NUMBER = re.compile(
+    r"[+-]?(?:[0-9]++(?:\.[0-9]*+)?|\.[0-9]++)(?:[eE][+-]?[0-9]++)?|[+-]?[0-9]++/[0-9]++"
+)
 
 REAL, BOOL = "Real", "Bool"
 

@@ -74,6 +74,9 @@ class Included:
     def _file(self, path: str, name: str, places: Places) -> dict[str, Any]:
         content = content_of(path, name, places.where(["include"]), self._opened)
         table, own = self._read(path, content)
+        if "rows_of" in table:
+            what = "stands in an included page; write it in the page that includes this one"
+            raise own.error(["rows_of"], what)
         found = self._with_included(path, table, own)
         self._done[path] = own
         return {key: value for key, value in found.items() if key not in ALONE}

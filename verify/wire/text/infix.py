@@ -15,7 +15,7 @@ from types import MappingProxyType
 from typing import Any
 
 from verify.language.fold import fold
-from verify.language.record import Record
+from verify.language.record import TYPE_CHECKING, Record
 from verify.language.terms import (
     FUNCTIONS,
     MAX_EXPONENT,
@@ -50,7 +50,9 @@ from verify.wire.text.matrices import (
     table_of,
     times,
 )
-from verify.wire.text.vectors import Combination, Gram, basis, combination, dot
+
+if TYPE_CHECKING:
+    from verify.wire.text.vectors import Combination, Gram
 
 _LETTERS = f"A-Za-z{''.join(NAMES)}"
 #: In a name a Greek letter stands only where a part of it begins: bη is b times η.
@@ -702,6 +704,8 @@ class _Reader:
 
     def _dot(self) -> Term:
         """The rest of ``dot(x, z)``."""
+        from verify.wire.text.vectors import dot  # loaded only where it is used
+
         if not self.names.gram:
             raise self.error(
                 "no inner products are known here; write gram or products in its context"
@@ -727,6 +731,8 @@ class _Reader:
         return self._combined(term)
 
     def _combined(self, term: Term) -> Combination:
+        from verify.wire.text.vectors import basis, combination  # loaded only where they are used
+
         known = {}
         for name in self.names.vectors:
             text = self.names.vectors[name]

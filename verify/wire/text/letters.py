@@ -60,7 +60,9 @@ def name_of(text: str) -> str:
 
     Different names stay different: what is left of other signs is in no name.
     """
-    index = re.sub(r"_?([₀-₉]+)$", lambda found: f"_{found[1].translate(RAISED)}", text)
+    index = re.sub(
+        r"(?:_|(?<![₀-₉_]))([₀-₉]+)$", lambda found: f"_{found[1].translate(RAISED)}", text
+    )
     return _FIRST.sub(lambda found: NAMES[found[0]], index)
 
 

@@ -40,7 +40,6 @@ from verify.wire.text.letters import letter_of, name_of, tex_of
 from verify.wire.text.places import Places
 from verify.wire.text.points import Points, contradiction, estimate
 from verify.wire.text.scope import Scope
-from verify.wire.text.vectors import gram_of, products_of
 
 if TYPE_CHECKING:
     from verify.language.argument import Chapter
@@ -507,11 +506,15 @@ class Reader:
         vectors = self.table([*keys, "vectors"], table.get("vectors", {}))
         texts = {name: self.text([*keys, "vectors", name], text) for name, text in vectors.items()}
         try:
+            from verify.wire.text.vectors import gram_of, products_of  # only where it is used
+
             gram = (gram_of if kinds == ["gram"] else products_of)(known)
         except ValueError as error:
             raise self.places.error(place, str(error)) from error
-        for name in (*(name for pair in gram for name in pair), *texts):
+        for name in {name: None for pair in gram for name in pair} | texts:
             self.plain(place, name)
+            if name in inside.known or name in inside.short:
+                raise self.places.error(place, self._is_taken(name))
         self.scope.span(home, gram, texts)
 
     def let(self, keys: Sequence[str], value: object, homes: Sequence[str | None]) -> None:
@@ -617,10 +620,12 @@ class Reader:
         if isinstance(entry, str):
             parts = _at_commas(entry) if ":" in entry else entry.replace(",", " ").split()
             pairs = [[_unquoted(part.strip()) for part in text.split(":", 2)] for text in parts]
+            self._are_different(place, [name for name, *_ in pairs])
             entry = {name: letters for name, *letters in pairs}
         if "variables" not in table and not entry:
             raise self.places.error(keys, 'it has no variables; write variables = ["x"]')
         names = () if isinstance(entry, dict) else self.texts(place, entry)
+        self._are_different(place, names)
         items = entry if isinstance(entry, dict) else {name: {} for name in names}
         found = {}
         for key, item in items.items():
@@ -631,6 +636,14 @@ class Reader:
             found[written] = Variable(name, *letters)
             self.scope.add(written, name, home)
         return found
+
+    def _are_different(self, keys: Sequence[str], names: Sequence[str]) -> None:
+        """Afterwards no variable stands there twice."""
+        known: set[str] = set()
+        for name in names:
+            if name in known:
+                raise self.places.error(keys, f"{shown(name)} stands there twice; leave one out")
+            known.add(name)
 
     def _point(
         self, keys: Sequence[str], value: object, names: Mapping[str, Variable], parent: str | None

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from functools import cached_property
 
-from verify.wire.inputs import InputError
+from verify.wire.inputs import InputError, cut
 
 
 class Where:
@@ -50,7 +50,7 @@ class Places:
             return best.told(keys, value)
         line = self._line(keys, value)
         place = f", line {line}" if line else ""
-        return f"{self.path}{place}" + (f": {'.'.join(keys)}" if keys else "")
+        return f"{self.path}{place}" + (f": {'.'.join(map(cut, keys))}" if keys else "")
 
     def known(self, keys: Sequence[str]) -> int:
         """How many of the keys lead to a line of this file."""

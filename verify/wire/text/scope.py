@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from verify.language.record import TYPE_CHECKING
 from verify.wire.text.infix import Names, PageFunction
 from verify.wire.text.matrices import Spent, Value
-from verify.wire.text.vectors import Gram
+
+if TYPE_CHECKING:
+    from verify.wire.text.vectors import Gram
 
 
 class Scope:

@@ -1,0 +1,105 @@
+"""Groups of balls that never meet again: each moves as if it were alone.
+
+A group of the mass M has its centre of mass at X + tW, R² = Σ m|x|² and e² = Σ m|v|² about it; as
+collisions never raise e, R is at most R + te after the time t, and a ball of mass m is no further
+from the centre than c(R + te), where c² = (M - m)/(mM). So two groups never meet, at least not
+before one of them collapses, if |X + tW| > A + tB for all t >= 0, where A adds up the largest of
+radius + cR in each, and B the largest ce.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from verify.language.record import Record
+from verify.prover import balls
+from verify.spheres.flow.law import Number
+from verify.spheres.many.isolation import is_apart
+from verify.spheres.many.motion import ZERO, Motion, inner
+from verify.spheres.many.queue import Queue
+
+MOST = 3
+
+
+class Cloud(Record):
+    """A group: its centre, the velocity of that, and within which distance its balls are."""
+
+    x: list[Number]
+    v: list[Number]
+    reach: Number
+    growth: Number
+
+
+def find_groups(queue: Queue, time: Number) -> list[list[int]] | None:
+    """Groups of at most three balls that never meet; None if none are found.
+
+    At the time all balls are in free flight.
+    """
+    groups = [[k] for k in range(queue.motion.system.number)]
+    clouds = [_cloud(queue.motion, group, time) for group in groups]
+    meets = [event.members for event in queue.apart_from(())]
+    while (pair := _not_apart(groups, clouds, meets)) is not None:
+        i, j = pair
+        joined = sorted(groups[i] + groups[j])
+        if len(joined) > MOST:
+            return None
+        groups = [group for k, group in enumerate(groups) if k not in pair] + [joined]
+        clouds = [cloud for k, cloud in enumerate(clouds) if k not in pair]
+        clouds.append(_cloud(queue.motion, joined, time))
+    return groups
+
+
+def _not_apart(
+    groups: Sequence[list[int]], clouds: Sequence[Cloud], meets: Sequence[tuple[int, ...]]
+) -> tuple[int, int] | None:
+    """Two groups that meet, or may."""
+    of = {ball: number for number, group in enumerate(groups) for ball in group}
+    for first, second in meets:
+        if of[first] != of[second]:
+            return of[first], of[second]
+    for j, two in enumerate(clouds):
+        for i, one in enumerate(clouds[:j]):
+            x = [b - a for a, b in zip(one.x, two.x, strict=True)]
+            w = [b - a for a, b in zip(one.v, two.v, strict=True)]
+            if not is_apart(x, w, one.reach + two.reach, one.growth + two.growth, None):
+                return i, j
+    return None
+
+
+def _cloud(motion: Motion, group: Sequence[int], time: Number) -> Cloud:
+    """A group at a time."""
+    system, now = motion.system, [motion.at(k, time) for k in group]
+    masses = [system.masses[k] for k in group]
+    total = sum(masses, Fraction(0))
+    parts = [balls.exact(mass / total) for mass in masses]
+    x, v = ([inner(parts, row) for row in zip(*rows, strict=True)]
+            for rows in ([b.x for b in now], [b.v for b in now]))  # fmt: skip
+    if len(group) == 1:
+        return Cloud(x, v, balls.exact(system.radii[group[0]]), ZERO)
+    size, speed = (
+        _root_above(sum((balls.exact(m) * _square(row, centre)
+                         for m, row in zip(masses, rows, strict=True)), ZERO))
+        for rows, centre in (([b.x for b in now], x), ([b.v for b in now], v))
+    )  # fmt: skip
+    lever = [_root_above(balls.exact((total - m) / (m * total))) for m in masses]
+    reach = [balls.exact(system.radii[k]) + c * size for k, c in zip(group, lever, strict=True)]
+    return Cloud(x, v, _largest(reach), _largest([c * speed for c in lever]))
+
+
+def _square(row: Sequence[Number], centre: Sequence[Number]) -> Number:
+    difference = [a - b for a, b in zip(row, centre, strict=True)]
+    return inner(difference, difference)
+
+
+def _root_above(value: Number) -> Number:
+    """The root of a number that is not negative, or a little more."""
+    most = balls.as_ball(value).upper()
+    return balls.root(most).upper() if most > 0 else ZERO
+
+
+def _largest(numbers: Sequence[Number]) -> Number:
+    found = numbers[0]
+    for number in numbers[1:]:
+        found = balls.larger(found, number)
+    return found

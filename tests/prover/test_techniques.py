@@ -95,6 +95,7 @@ def test_each_technique_is_called_with_a_question_alone(monkeypatch: pytest.Monk
     assert {technique.name for technique in EQUATIONS} == {
         "cosines",
         "multiple angles",
+        "elementary",
         "both orders",
     }
 

@@ -151,7 +151,8 @@ class RowsInContexts:
         """A proof that a claim is false, for all values in a context."""
         if self.known.home(claim, context) is None:
             verdict, proof = self.known.ground.prove(claim)
-            return proof if verdict == REFUTED else None
+            if verdict != UNDECIDED:
+                return proof if verdict == REFUTED else None
         other = negation(claim)
         return None if other is None else self.known.prove(self.known.goal(other, context))
 

@@ -52,11 +52,14 @@ FREE = (
     Technique("identity", _from("direct", "by_identity")),
     Technique("interval", _from("enclosures", "by_interval")),
 )
+PARTS = Technique("parts of a context", _from("parts", "by_parts"))
 LAWS = Technique("laws", _from("laws", "by_laws"))
+ELEMENTARY = Technique("elementary", _from("elementary", "by_elementary"))
 #: For equations.
 EQUATIONS = (
     Technique("cosines", COSINES),
     Technique("multiple angles", _from("multiple_angles", "by_multiple_angles")),
+    ELEMENTARY,
     Technique("both orders", _from("direct", "by_orders")),
 )
 #: For what the form of a claim shows, or simple searches.
@@ -95,6 +98,7 @@ SEARCHES = (
     Technique("definitions written out", _from("written_out", "by_definitions")),
     Technique("growth", _from("growth", "by_growth")),
     LAWS,
+    ELEMENTARY,
     Technique("products of logarithms", _from("laws", "by_products_of_logarithms")),
     Technique("multiple angles", _from("multiple_angles", "by_multiple_angles")),
     Technique(
@@ -104,6 +108,7 @@ SEARCHES = (
     Technique("arguments of functions", _from("arguments_of_functions", "by_arguments")),
     Technique("squaring", _from("squaring", "by_squaring")),
     Technique("factors", _from("factors", "by_factors")),
+    Technique("known entries", _from("extrema", "by_known_entries")),
     Technique("entries", _from("extrema", "by_entries")),
     Technique("cases", _from("extrema", "by_cases")),
     Technique("squares", _from("positive", "squares")),
@@ -182,6 +187,8 @@ def _nothing() -> None:
 def _stages(goal: Goal, known: Universal) -> Iterator[tuple[Question, tuple[Technique, ...]]]:
     """What is tried on which form of the goal; the next is looked at if nothing is found."""
     question = Question(goal, known)
+    if f"{goal.context}.part1" in known.contexts:
+        yield question, (PARTS,)
     if goal.claim.relation == "=":
         yield from _of_equation(question)
         return
@@ -222,7 +229,7 @@ def _of_all_that_is_known(question: Question) -> Iterator[tuple[Question, tuple[
             return
         if place not in known.ranged:
             known.ranged.add(place)
-            if find_ranges(widened):
+            if find_ranges(widened) | _find_inverse_ranges(widened):
                 question = Question(known.goal(question.plain.claim, place), known)
                 widened = question.widened() or question
                 yield question, (*FREE, *SIMPLE)
@@ -233,6 +240,16 @@ def _of_all_that_is_known(question: Question) -> Iterator[tuple[Question, tuple[
                 yield asked, group
             elif group is LAST and asked is widened and asked.equations and asked.clears():
                 yield asked, LAST_WITH_EQUATIONS
+
+
+def _find_inverse_ranges(question: Question) -> bool:
+    """The same of what is given of exponentials and logarithms."""
+    sides = (side for given in question.givens() for side in given.claim.key[1:])
+    if not any(side.op in ("exp", "log") for side in sides):
+        return False
+    from verify.prover.search.inverse_ranges import find_inverse_ranges  # only where it is needed
+
+    return find_inverse_ranges(question)
 
 
 def _is_small(question: Question) -> bool:

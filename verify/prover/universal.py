@@ -12,6 +12,7 @@ from typing import Any
 from verify.language.fold import MEANINGS
 from verify.language.statement import (
     PROVED,
+    UNDECIDED,
     Constant,
     Context,
     Given,
@@ -236,6 +237,8 @@ class Universal:
 
     def _ground_fact(self, claim: Claim) -> str | None:
         verdict, proof = self.ground.prove(claim)
+        if verdict == UNDECIDED and claim.relation == "=":
+            verdict, proof = PROVED, self.prove(self.goal(claim, None))
         return self.session.lemma(claim, proof) if verdict == PROVED and proof else None
 
     def home(self, claim: Claim, context: str | None) -> str | None:

@@ -12,6 +12,7 @@ from verify import check
 from verify.language.errors import UnreadError
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import NEEDED, PROVED, UNDECIDED, Cite, Obligation, Statement
+from verify.language.terms import Claim, parts_of
 from verify.prover.budget import SpentError, WorkBudget
 from verify.prover.definedness import completed
 from verify.prover.hint import Hint
@@ -20,7 +21,7 @@ from verify.prover.proof import Step
 from verify.prover.prove import NO_HINTS, prove
 from verify.wire.inputs import InputError, TooDeepError, shown
 from verify.wire.judge import judged
-from verify.wire.text import OTHERS, Page
+from verify.wire.text import Page
 from verify.wire.write import certificate_file, digest, statement_file
 
 if TYPE_CHECKING:
@@ -142,19 +143,29 @@ def decide_page(page: Page, budget: WorkBudget) -> Outcome:
     if page.is_argued:
         return decide(statement, budget, page.hints, page.chapters)
     if not page.forms:
-        return decide(statement, budget, page.hints)
+        return _with_contexts(statement, page, budget)
     with budget.part(1, 1.5) as most:
         first = decide(statement, most, page.hints)
-    undecided = {row.name for row, found in first.rows if found.claimed == UNDECIDED}
-    open_rows = [row.name for row in statement.obligations if row.name in undecided]
-    found: dict[str, Outcome] = {}
-    for left, name in zip(range(len(open_rows), 0, -1), open_rows, strict=True):
-        outcome = _by_other_forms(page, name, budget, left)
-        if outcome is not None:
-            found[name] = outcome
-    if not found or len(statement.obligations) == 1:
-        return next(iter(found.values()), first)
-    return decide(_with_forms(statement, found), budget, page.hints)
+    from verify.wire.other_forms import with_other_forms  # loaded only where it is used
+
+    return with_other_forms(first, page, budget, decide)
+
+
+def _with_contexts(statement: Statement, page: Page, budget: WorkBudget) -> Outcome:
+    """Every row decided; where rows of contexts are open, in parts of their contexts."""
+    if all(row.context is None for row in statement.obligations):
+        return decide(statement, budget, page.hints)
+    claims = (row.claim for row in statement.obligations if isinstance(row.claim, Claim))
+    is_told = any(part.op in ("min", "max") for c in claims for part in parts_of(c.lhs, c.rhs))
+    with budget.part(20 if is_told else 1, 6 if is_told else 1.5) as most:
+        first = decide(statement, most, page.hints)
+    if budget.is_over or all(found.claimed != UNDECIDED for _, found in first.rows):
+        return first
+    from verify.wire.halves import decided_in_parts  # loaded only where it is used
+
+    found = decided_in_parts(first, page, budget, decide) or first
+    again = is_told and found is first and not budget.is_over
+    return decide(statement, budget, page.hints) if again else found
 
 
 def stated(page: Page) -> Statement:
@@ -171,32 +182,6 @@ def stated(page: Page) -> Statement:
         raise InputError(
             f"STATEMENT: a constant cannot be chosen: {error}; write its value"
         ) from error
-
-
-def _by_other_forms(page: Page, name: str, budget: WorkBudget, rows: int) -> Outcome | None:
-    """The outcome of the first other form of a row that is decided; None if none is."""
-    for left in range(OTHERS, 0, -1):
-        form = None if budget.is_over else next(page.forms[name], None)
-        if form is None:
-            break
-        context, row = form
-        contexts = () if context is None else (context,)
-        asked = page.statement._replace(obligations=(row,), contexts=contexts)
-        with budget.part(2 * OTHERS, left * rows + (len(page.forms) > 1)) as share:
-            outcome = decide(asked, share)
-        if outcome.claimed != UNDECIDED:
-            return outcome
-    return None
-
-
-def _with_forms(statement: Statement, found: Mapping[str, Outcome]) -> Statement:
-    """The statement with other forms of some of its rows."""
-    contexts = {context.name: context for context in statement.contexts}
-    rows = {row.name: row for row in statement.obligations}
-    for outcome in found.values():
-        contexts |= {context.name: context for context in outcome.statement.contexts}
-        rows |= {row.name: row for row in outcome.statement.obligations}
-    return statement._replace(contexts=(*contexts.values(),), obligations=(*rows.values(),))
 
 
 def _is_limit(error: Exception) -> bool:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from verify.language.terms import Claim, Term, equal
 from verify.prover.proof import Proof, Value
-from verify.prover.rules import Cases
+from verify.prover.rules import Antisymmetry, Cases, Entry, Least, Sum, same
 from verify.prover.search.domain import Domain
 from verify.prover.search.positive import by_squares
 from verify.prover.search.question import Question
@@ -16,6 +16,8 @@ from verify.prover.search.question import Question
 #: Claims with more cases are left alone.
 MAX_CASES = 64
 MAX_ENTRIES = 9
+#: Known orders are looked for among so many entries, with so much work for each.
+MAX_KNOWN, UNITS_FOR_ORDER = 3, 1_000_000
 
 
 def by_entries(question: Question) -> Proof | None:
@@ -75,6 +77,59 @@ def _renamed(value: Value, name: str, other: Value) -> Value:
     if isinstance(value, tuple):
         return tuple(_renamed(part, name, other) for part in value)  # type: ignore[arg-type]
     return value
+
+
+def by_known_entries(question: Question) -> Proof | None:
+    """The claim with the least entry of a minimum, or the greatest of a maximum, where it is known.
+
+    Simple orders are looked for: whether an entry is beyond the others for all values in scope.
+    """
+    claim, equations, chosen = question.plain.claim, dict[str, None](), dict[Term, Term]()
+    for term in question.extrema:
+        if question.goal.definitions or len(term.children) > MAX_KNOWN:
+            return None
+        entry, name = _known_entry(question, term)
+        if entry is not None:
+            equations[name], chosen[term] = None, entry
+    if not chosen:
+        return None
+    sides = [_with_entries(side, chosen) for side in (claim.lhs, claim.rhs)]
+    if claim.key[1:] == tuple(sides):
+        return None
+    fact = question.fact(Claim(claim.relation, *sides))
+    return None if fact is None else same(claim, fact, (*equations,))
+
+
+def _with_entries(side: Term, chosen: dict[Term, Term]) -> Term:
+    """A term as the checker replaces what is chosen: not inside other atoms."""
+    if side in chosen:
+        return _with_entries(chosen[side], chosen)
+    if side.op not in ("add", "sub", "mul", "div", "neg", "pow"):
+        return side
+    children = [_with_entries(child, chosen) for child in side.children]
+    return Term(side.op, *children, *side.args[len(children) :])
+
+
+def _known_entry(question: Question, term: Term) -> tuple[Term | None, str]:
+    """The entry that a minimum or maximum always is, and the fact that says so."""
+    is_least = term.op == "min"
+    for entry in term.children:
+        facts = []
+        for other in term.children:
+            claim = Claim("<=", *((entry, other) if is_least else (other, entry)))
+            fact: str | None = "" if other == entry else None
+            with question.budget.at_most(UNITS_FOR_ORDER):
+                fact = fact if fact == "" else question.fact(claim)
+            if fact is None:
+                break
+            facts.append(Sum(("goal", fact) if fact else ("goal",)))
+        else:
+            side = "rhs" if is_least else "lhs"
+            orders = Entry("lhs" if is_least else "rhs"), Least(side, tuple(facts))
+            proof = Antisymmetry(orders if is_least else orders[::-1])
+            home = question.known.home(equal(term, entry), question.goal.context)
+            return entry, question.session.ensure(equal(term, entry), proof, home)
+    return None, ""
 
 
 def by_cases(question: Question) -> Proof | None:

@@ -29,7 +29,7 @@ from verify.language.terms import (
     symbol,
 )
 from verify.prover.balls import float_of, fmpq_of, fraction_of
-from verify.prover.clearing import Clearing, TooLongError, coefficients
+from verify.prover.clearing import ROOTS, Clearing, TooLongError, coefficients
 from verify.prover.goal import Bounds
 from verify.prover.proof import Premise, Proof, Value, power_of, product_of
 from verify.prover.rules import Cuts, Derivative, Have, InRange, Interval, Law, Monotony, Sum
@@ -72,7 +72,8 @@ def by_growth(question: Question) -> Proof | None:
         return None
     own = [variable.name for variable in known.contexts[goal.context].variables]
     names = [name for name in goal.variables if name in own]
-    ops = {part.op for part in parts_of(goal.claim.lhs, goal.claim.rhs)}
+    parts = parts_of(goal.claim.lhs, goal.claim.rhs)
+    ops = {part.op for part in parts if goal.variables.keys() & {*names_of(part)}}
     if not 1 <= len(goal.variables) <= MAX_VARIABLES or ops.isdisjoint(FUNCTIONS):
         return None
     if goal.claim.relation not in ("<", "<=") or goal.claim.lhs == ZERO == goal.claim.rhs:
@@ -140,13 +141,17 @@ class Growth:
         touches = min(gap for _, gap in gaps) < 1e-3
         found = self._simple(claim, bounds, cuts)
         found = found or (None if touches else self._tree(claim, bounds, cuts))
-        if any(part.op in FUNCTIONS for part in parts_of(claim.lhs, claim.rhs)):
+        if any(map(self._moves, parts_of(claim.lhs, claim.rhs))):
             found = found or self._isolated(claim, bounds, cuts, depth)
             found = found or self._cleared(claim, bounds, cuts, depth)
             found = found or self._grown(claim, bounds, cuts, depth)
         else:
             found = found or self._algebraic(claim)
         return found or self._cut(claim, bounds, cuts, depth)
+
+    def _moves(self, part: Term) -> bool:
+        """Whether this is a function of variables, and no number."""
+        return part.op in FUNCTIONS and bool(self.goal.variables.keys() & {*names_of(part)})
 
     # --- estimates ------------------------------------------------------------------------------
 
@@ -216,6 +221,10 @@ class Growth:
             return None
         if clearing.atoms == [self.x]:
             return self._on_half_line(claim, bounds, difference)
+        if any(atom.op in ROOTS for atom in clearing.atoms):
+            from verify.prover.search.roots_of_variables import in_root  # only where it is used
+
+            return in_root(claim, self.x, bounds, clearing, difference, len(cuts))
         return self._by_range(claim, clearing, difference, f"@{len(cuts) + 1}")
 
     def _on_half_line(self, claim: Claim, bounds: Bounds, polynomial: fmpq_mpoly) -> Sum | None:

@@ -10,17 +10,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
-from math import gcd, lcm
+from math import comb, gcd, lcm
 from operator import add, mul
 
 from flint import fmpz
 
 from verify.language.fold import replaced
-from verify.language.terms import Claim, Term, as_term, equal, exp, log, parts_of
+from verify.language.terms import Claim, Term, as_term, equal, exp, log, nth_root, parts_of, sqrt
 from verify.prover.balls import fraction_of
-from verify.prover.clearing import Clearing, TooLongError, atoms_of
-from verify.prover.proof import Proof, product_of
-from verify.prover.rules import Interval, Law, Monotony, Sum, same
+from verify.prover.clearing import ROOTS, Clearing, TooLongError, atoms_of, index_of
+from verify.prover.proof import Proof, Value, power_of, product_of
+from verify.prover.rules import Antisymmetry, InRange, Interval, Law, Monotony, Sum, same
 from verify.prover.search.question import Question
 from verify.prover.session import ZERO
 
@@ -104,6 +104,7 @@ class Laws:
         self.question, self.known = question, question.known
         self.session, self.place = question.session, question.goal.context
         self.used: dict[str, None] = {}
+        self.keeps_exponentials = False
 
     def fact(self, claim: Claim) -> str | None:
         """The name of a claim that is proved now."""
@@ -128,6 +129,7 @@ class Laws:
     def of(self, atoms: Sequence[Term]) -> dict[Term, Term]:
         """What the exponentials and logarithms among some terms are, in simpler ones."""
         chosen = self.exponentials([atom for atom in atoms if atom.op == "exp"])
+        chosen |= self.roots([atom for atom in atoms if atom.op in ROOTS])
         for atom in atoms:
             if atom.op == "log":
                 try:
@@ -140,7 +142,9 @@ class Laws:
 
     def exponentials(self, atoms: Sequence[Term]) -> dict[Term, Term]:
         """For each of them the product of powers of a few that it is, if that is simpler."""
-        sums = {atom: found for atom in atoms if (found := _linear(atom.children[0])) is not None}
+        sums = {
+            atom: found for atom in atoms if (found := linear_parts(atom.children[0])) is not None
+        }
         steps: dict[Term, Fraction] = {}
         for part in {part for found in sums.values() for part in found}:
             factors = [found[part] for found in sums.values() if part in found]
@@ -150,10 +154,13 @@ class Laws:
         chosen = {}
         for atom, found in sums.items():
             powers = {step_of(part, steps[part]): int(f / steps[part]) for part, f in found.items()}
-            if sum(map(abs, powers.values())) > MAX_FACTORS or powers == {atom.children[0]: 1}:
+            if sum(map(abs, powers.values())) > MAX_FACTORS:
+                continue
+            if powers == {atom.children[0]: 1} and self._plain(atom) == atom:
                 continue
             inner = [exp(part) for part in powers]
-            if len(steps) <= len(sums) and self.clears(atom, *inner):
+            is_short = sum(part.op != "log" for part in steps) <= len(sums)
+            if is_short and self.clears(atom, *inner):
                 chosen[atom] = self._product(atom, powers)
         return chosen
 
@@ -184,8 +191,10 @@ class Laws:
         return self._plain(atom) if powers == {atom.children[0]: 1} else self._product(atom, powers)
 
     def _plain(self, atom: Term) -> Term:
-        """An exponential, or what it is the exponential of the logarithm of."""
-        inner = atom.children[0]
+        """An exponential, or what it is the exponential of the logarithm of, or a root of that."""
+        inner, root = atom.children[0], _root_of(atom)
+        if root is not None and not self.keeps_exponentials and self._is_root(atom, root):
+            return root
         if inner.op != "log":
             return atom
         number: Term = inner.children[0]
@@ -203,10 +212,46 @@ class Laws:
         self.clears(ONE / plain)
         return ONE / plain
 
+    # --- roots ----------------------------------------------------------------------------------
+
+    def roots(self, atoms: Sequence[Term]) -> dict[Term, Term]:
+        """For roots of one number what they are as powers of one root of it."""
+        chosen = {}
+        for radicand in {atom.children[0]: None for atom in atoms}:
+            own = [atom for atom in atoms if atom.children[0] == radicand]
+            index = lcm(*map(index_of, own))
+            common = nth_root(radicand, index) if index <= MAX_FACTORS else own[0]
+            for atom in own if len({*map(index_of, own)}) > 1 and self.clears(common) else ():
+                power = index // index_of(atom)
+                if power > 1:
+                    chosen[atom] = common**power
+                    smaller = (power_of(("root", common), power), ("root", atom))
+                    first, second = (Sum(between(index_of(atom), s)) for s in smaller)
+                    self.use(equal(atom, common**power), Antisymmetry((first, second)))
+        return chosen
+
+    def _is_root(self, atom: Term, root: Term) -> bool:
+        """Whether an exponential is a root of what its argument has the logarithm of."""
+        (number,), index, whole = root.children, index_of(root), Laws(self.question)
+        clearing, logarithm = Clearing((number,), {}), log(number)
+        if not self.clears(exp(logarithm), root) or not clearing.clear(number)[1].is_constant():
+            return False
+        whole.keeps_exponentials = True
+        whole._product(exp(logarithm), {atom.children[0]: index})
+        law = self.lemma(equal(exp(logarithm), number), Law())
+        power = self.lemma(equal(atom**index, number), Sum((), (*whole.used,), ((law, ONE),)))
+        positive = self.lemma(Claim("<", ZERO, atom), InRange())
+        above = Sum(between(index, ("root", root)), (), ((power, as_term(-1)),))
+        below = Sum(between(index, positive), (), ((power, ONE),))
+        self.use(equal(atom, root), Antisymmetry((above, below)))
+        return True
+
     # --- logarithms -----------------------------------------------------------------------------
 
     def logarithm(self, atom: Term) -> dict[Term, Term]:
         """The sum of multiples of simpler logarithms that it is, if it is one."""
+        if atom.children[0].op == "exp":
+            return {atom: self._of_factor(atom.children[0])}
         found = _factors(atom.children[0])
         if found is None:
             return {}
@@ -263,12 +308,35 @@ def step_of(part: Term, step: Fraction) -> Term:
     return part if step == 1 else as_term(step) * part
 
 
+def between(index: int, smaller: Value) -> tuple[Value, ...]:
+    """What the power of a sum of a number and of the goal has beside that of the number."""
+    return tuple(
+        product_of(
+            str(comb(index, k)),
+            power_of("goal", k),
+            *([power_of(smaller, index - k)] if k < index else []),
+        )
+        for k in range(1, index + 1)
+    )
+
+
+def _root_of(atom: Term) -> Term | None:
+    """The root that an exponential of 1/n times a logarithm is."""
+    inner = atom.children[0]
+    if inner.op != "mul" or inner.children[0].op != "rational" or inner.children[1].op != "log":
+        return None
+    share, (number,) = inner.children[0].value, inner.children[1].children
+    if share.numerator != 1 or not 2 <= share.denominator <= MAX_FACTORS:
+        return None
+    return sqrt(number) if share == Fraction(1, 2) else nth_root(number, share.denominator)
+
+
 def _sum(factors: Sequence[tuple[Term, int]]) -> Term:
     """What the product of exponentials is the exponential of."""
     return reduce(add, (part if sign > 0 else -part for part, sign in factors))
 
 
-def _linear(argument: Term) -> dict[Term, Fraction] | None:
+def linear_parts(argument: Term) -> dict[Term, Fraction] | None:
     """The rational factors of the different products in a polynomial."""
     try:
         clearing = Clearing((argument,), {})

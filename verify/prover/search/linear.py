@@ -92,7 +92,8 @@ def _bounded(system: System, name: str, sign: int) -> bool:
     multiples = [Multiple(p, key, system.clearing.one) for key, p in system.equations.items()]
     facts = system.facts
     found = least(system, facts, target, multiples)
-    if found is None and multiples:
+    is_round = any(int(fact.polynomial.total_degree()) == 2 for fact in facts)
+    if found is None and (multiples or is_round):
         facts = [*facts, *_squares(system)]
         found = least(system, facts, target, multiples)
     if found is None:

@@ -1,0 +1,149 @@
+"""Identities of elementary functions, rows in parts of contexts, and witnesses by inverses."""
+
+from __future__ import annotations
+
+import pytest
+
+from verify.language.statement import PROVED, REFUTED, UNDECIDED
+from verify.prover.budget import WorkBudget
+from verify.wire.questions import decide_page, read_page_of
+
+WORK = 20_000_000
+
+UNIT = "0 < x < 1"
+#: Equations, with what is given of x.
+IDENTITIES = {
+    "sin(x)^2 + cos(x)^2 = 1": "",
+    "sin(2*x) = 2*sin(x)*cos(x)": "",
+    "sin(x + y) = sin(x)*cos(y) + cos(x)*sin(y)": "",
+    "cos(3*x) = 4*cos(x)^3 - 3*cos(x)": "",
+    "cos(pi - x) = -cos(x)": "",
+    "sin(x + 2*pi) = sin(x)": "",
+    "(1 + tan(x)^2)*cos(x)^2 = 1": UNIT,
+    "cos(arctan(x)) = 1/sqrt(1 + x^2)": "",
+    "cos(2*arctan(x)) = (1 - x^2)/(1 + x^2)": "",
+    "cos(arccos(x)) = x": UNIT,
+    "tan(arcsin(x)) = x/sqrt(1 - x^2)": UNIT,
+    "arctan(tan(x)) = x": UNIT,
+    "arctan(x) + arctan(1/x) = pi/2": "0 < x",
+    "arctan(-x) = -arctan(x)": "",
+    "log(exp(x)) = x": "",
+    "exp(log(x)) = x": "0 < x",
+    "x^(1/2) = exp(log(x)/2)": "0 < x",
+    "sqrt(exp(2*x)) = exp(x)": "",
+    "pi = 16*arctan(1/5) - 4*arctan(1/239)": None,
+    "arcsin(1/2) = pi/6": None,
+    "exp(log(5)/3) = cbrt(5)": None,
+    "2^(1/2)*2^(1/3) = 2^(5/6)": None,
+}
+#: Equations that hold at some points, or nearly.
+FALSE = {
+    "sin(2*x) = 2*sin(x)*cos(x)^2": "",
+    "arctan(x) + arctan(1/x) = pi/2": "x < 0",
+    "cos(arctan(x)) = -1/sqrt(1 + x^2)": "",
+    "arcsin(sin(x)) = x": "",
+    "pi = 16*arctan(1/5) - 4*arctan(1/238)": None,
+    "arctan(tan(x)) = x": "2 < x < 3",
+    "exp(log(5)/3) = sqrt(5)": None,
+}
+
+
+def verdicts(row: str, given: str | None, work: int = WORK) -> set[str]:
+    """What is found of one row."""
+    names = [name for name in "xyab" if name in row.replace("exp", "").replace("tan", "")]
+    page = 'title = "t"\n'
+    if given is not None:
+        context = f"variables = {[*names]}\ngiven = {given.split('; ') if given else []}\n"
+        page += f"[contexts.box]\n{context}".replace("'", '"')
+    page += f'[rows]\nrow = "{row}"\n'
+    found = decide_page(read_page_of("a.toml", page.encode(), {}), WorkBudget(work))
+    return {decision.verdict for _, decision in found.rows}
+
+
+@pytest.mark.parametrize("row", IDENTITIES)
+def test_identities_are_proved(row: str) -> None:
+    assert verdicts(row, IDENTITIES[row]) == {PROVED}
+
+
+@pytest.mark.parametrize("row", FALSE)
+def test_what_is_no_identity_is_not_proved(row: str) -> None:
+    assert PROVED not in verdicts(row, FALSE[row], 1_000_000)
+
+
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
+        ("0 < cos(arctan(x))", ""),
+        ("0 <= sin(arctan(x))", "0 <= x"),
+        ("sin(arctan(x)) != 0", "x != 0"),
+        ("log(x) < sqrt(x)", "0 < x"),
+        ("x < 7.39", "1 <= x; log(x) <= 2"),
+    ],
+)
+def test_inequalities_of_compositions(row: str, given: str) -> None:
+    assert verdicts(row, given) == {PROVED}
+
+
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
+        ("x/x = 1", "x != 0"),
+        ("(x^2 - y^2)/(x - y) = x + y", "x != y"),
+        ("1/x + 1/x = 2/x", "x^2 > 0"),
+        ("|sin(x) - sin(y)| <= |x - y|", ""),
+        ("-exp(-1) <= x*log(x)", "0 < x"),
+        ("log(x) <= 2/e*sqrt(x)", "0 < x"),
+    ],
+)
+def test_rows_are_shown_in_parts_of_their_contexts(row: str, given: str) -> None:
+    assert verdicts(row, given) == {PROVED}
+
+
+def test_a_given_that_only_a_case_defines() -> None:
+    page = """
+title = "t"
+[contexts.box]
+variables = ["a", "b", "c"]
+given = ["a != 0", "1/a < b", "b < c"]
+[rows]
+row = "1/a < c"
+"""
+    found = decide_page(read_page_of("a.toml", page.encode(), {}), WorkBudget(WORK))
+    assert [row.name for row, _ in found.rows] == ["row.1", "row.2"]
+    assert found.claimed == PROVED
+    wrong = page.replace('row = "1/a < c"', 'row = "1/a < c - 1"')
+    found = decide_page(read_page_of("a.toml", wrong.encode(), {}), WorkBudget(1_000_000))
+    assert found.claimed != PROVED
+
+
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
+        ("40*x*x != 30", ""),
+        ("log(x) != 1", "2 < x < 3"),
+        ("1/3 - x^4 + y != 0", "y^5 = 0"),
+        ("sin(x) != 1/2", "0 < x < 1"),
+    ],
+)
+def test_witnesses_that_are_no_rational_numbers(row: str, given: str) -> None:
+    assert verdicts(row, given) == {REFUTED}
+
+
+def test_no_witness_where_the_givens_exclude_it() -> None:
+    assert REFUTED not in verdicts("x != sqrt(2)", "x < sqrt(2)", 1_000_000)
+    assert verdicts("log(x) != 1", "3 < x < 4") == {PROVED}
+    assert verdicts("sin(x) != 2", "0 < x < 1", 1_000_000) != {UNDECIDED}
+
+
+def test_a_product_of_many_bounded_numbers() -> None:
+    names = [f"x{i}" for i in range(12)]
+    page = f"""
+title = "t"
+[contexts.box]
+variables = {names}
+given = ["{" + ".join(f"{name}^2" for name in names)} < 1"]
+[rows]
+row = "{"*".join(names)} <= 1"
+""".replace("'", '"')
+    found = decide_page(read_page_of("a.toml", page.encode(), {}), WorkBudget(WORK))
+    assert found.claimed == PROVED

@@ -147,3 +147,15 @@ row = "{"*".join(names)} <= 1"
 """.replace("'", '"')
     found = decide_page(read_page_of("a.toml", page.encode(), {}), WorkBudget(WORK))
     assert found.claimed == PROVED
+
+
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
+        ("abs(3 - 2) != max(2, 1.25)", "x != 1"),
+        ("max(1, sqrt(2)) <= 1", "0 < x"),
+        ("x <= 10^999*y", "x != y"),
+    ],
+)
+def test_rows_about_few_variables_are_taken_apart(row: str, given: str) -> None:
+    assert verdicts(row, given, 1_000_000) <= {PROVED, REFUTED, UNDECIDED}

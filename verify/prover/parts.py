@@ -176,7 +176,7 @@ def names_in(order: Order) -> set[str]:
 def _meetings(context: Context, claim: Claim) -> Iterator[Order]:
     """The variable and numbers at which both sides of a claim nearly meet."""
     names = sorted({*names_of(claim.lhs, claim.rhs)})
-    if claim.relation == "=" or len(names) > 2:
+    if claim.relation == "=" or len(names) not in (1, 2):
         return
     if len(names) == 2:
         if _meets_where_equal(context, claim, names):

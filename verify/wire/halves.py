@@ -8,6 +8,7 @@ same: in place of the context it has one for each sign, with all rows in each of
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
+from functools import partial
 from itertools import product
 
 from verify.language.statement import PROVED, UNDECIDED, Context, Given, Obligation, Statement
@@ -21,6 +22,8 @@ from verify.wire.text.points import Points
 
 #: Of so many differences the signs are told apart.
 MAX_SPLIT = 2
+#: So long points are looked for, in seconds: what the work is worth that is counted.
+SECONDS = 1
 
 
 def decided_in_parts(
@@ -33,7 +36,7 @@ def decided_in_parts(
     statement = first.statement
     found = {row.name for row, decision in first.rows if decision.claimed == UNDECIDED}
     open_rows = [r.name for r in statement.obligations if r.name in found and r.context]
-    points, shares = Points(None), 2.5 * max(1, len(open_rows))
+    points, shares = Points(SECONDS), 2.5 * max(1, len(open_rows))
 
     def proves(part: Statement) -> bool:
         if budget.is_over:
@@ -41,12 +44,20 @@ def decided_in_parts(
         with budget.part(4, shares) as share:
             return decide(part, share).claimed == PROVED
 
-    shown = in_parts(statement, open_rows, lambda n, g: points.find(n, g, {}), proves)
-    for other in (shown, halved(statement, open_rows)):
-        if other is not None and other is not statement:
-            second = decide(other, budget, page.hints)
-            if sum(d.claimed == UNDECIDED for _, d in second.rows) < len(found):
-                return second
+    def parted() -> Statement | None:
+        other = in_parts(statement, open_rows, lambda n, g: points.find(n, g, {}), proves)
+        return None if other is statement else other
+
+    makers: tuple[Callable[[], Statement | None], ...]
+    makers = (parted, partial(halved, statement, open_rows))
+    for make in makers:
+        try:
+            other = make()
+            second = None if other is None else decide(other, budget, page.hints)
+        except (ArithmeticError, ValueError, RecursionError):  # nobody has asked for the parts
+            continue
+        if second and sum(d.claimed == UNDECIDED for _, d in second.rows) < len(found):
+            return second
     return None
 
 
@@ -61,7 +72,7 @@ def halved(statement: Statement, open_rows: Collection[str]) -> Statement | None
             rows.setdefault(row.context, []).append(row)
     held = {c.parent for c in statement.contexts}
     held |= {getattr(row.claim, "context", None) for row in statement.obligations}
-    points, parts = Points(None), dict[str, list[_Part]]()
+    points, parts = Points(SECONDS), dict[str, list[_Part]]()
     for context in statement.contexts:
         own = rows.get(context.name, [])
         good = all(isinstance(row.claim, Claim) for row in own)

@@ -245,7 +245,7 @@ def test_a_statement_is_recognised_however_many_collisions_were_asked_for() -> N
         assert is_right_statement(files_of(found, budget)["statement.json"])
 
 
-@pytest.mark.parametrize("r", ["-1", "0", "1", "2", "20"])
+@pytest.mark.parametrize("r", ["-1", "0", "1.001", "2", "20"])
 def test_scenes_that_no_file_may_hold_are_not_ours(r: str) -> None:
     rest = ((0, 0), (2, 0), (0, 2)), ((0, 0), (0, 0), (0, 0))
     files = files_of(scenes.scene(r, *rest))

@@ -75,9 +75,12 @@ class Writer:
 
     def claim(self, claim: Claim | Applies | Always) -> Math:
         """A claim, unless it is too long to be read; in letters only if no line can break in it."""
+        text = self.typesetter.claim(claim)
+        if LONG in text:
+            return Math("", text)
         if isinstance(claim, Claim):
             claim = simplified_claim(claim)
-        text = self.typesetter.claim(claim)
+            text = self.typesetter.claim(claim)
         if len(text) > words.MAX_FORMULA or not isinstance(claim, Claim):
             return Math("", text if len(text) <= words.MAX_FORMULA else LONG)
         widest = max(len(self.typesetter.term(part)) for part in summands(claim))
@@ -85,7 +88,10 @@ class Writer:
 
     def term(self, term: Term, before: str = "") -> Math:
         """A term after a relation."""
-        text = f"{before} {self.typesetter.term(term)}".strip()
+        told = self.typesetter.term(term)
+        text = f"{before} {told}".strip()
+        if LONG in told:
+            return Math("", text)
         if term.op == "min" and len(term.children) > MANY:
             return Math(self._mathml.entries(term, before), text)
         return Math(self._mathml.term(term, before), text)

@@ -159,3 +159,23 @@ row = "{"*".join(names)} <= 1"
 )
 def test_rows_about_few_variables_are_taken_apart(row: str, given: str) -> None:
     assert verdicts(row, given, 1_000_000) <= {PROVED, REFUTED, UNDECIDED}
+
+
+@pytest.mark.parametrize(
+    "row",
+    [
+        "y - y*(x + 1)^3 - 3/max(3, y) <= -1",
+        "abs(min(y, y)) - y*(x + 1)^3 - max(1/2, 3)/max(3, y) <= -1",
+        "(min(y, y) + x)/max(3, y) <= max(5/3, x)",
+    ],
+)
+def test_a_known_entry_of_a_maximum_that_divides(row: str) -> None:
+    page = f"""title = "t"
+[contexts.b]
+variables = ["x", "y"]
+given = ["1 <= x <= 4", "0 <= y <= 1"]
+[rows]
+q = {{ claim = "{row}", in = "b" }}
+"""
+    found = decide_page(read_page_of("a.toml", page.encode(), {}), WorkBudget(WORK))
+    assert found.claimed == PROVED

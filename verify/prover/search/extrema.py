@@ -101,12 +101,17 @@ def by_known_entries(question: Question) -> Proof | None:
 
 
 def _with_entries(side: Term, chosen: dict[Term, Term]) -> Term:
-    """A term as the checker replaces what is chosen: not inside other atoms."""
+    """A term as the checker replaces what is chosen: not inside other atoms.
+
+    Divisors stay, as claims are multiplied by them: by the same number in the claim and the fact.
+    """
     if side in chosen:
         return _with_entries(chosen[side], chosen)
     if side.op not in ("add", "sub", "mul", "div", "neg", "pow"):
         return side
     children = [_with_entries(child, chosen) for child in side.children]
+    if side.op == "div":
+        children[1] = side.children[1]
     return Term(side.op, *children, *side.args[len(children) :])
 
 

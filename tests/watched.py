@@ -621,6 +621,18 @@ said("docs/reference/exit-codes.md", "exits with {}:", EXIT_CODES[PROVED])
 said("docs/reference/exit-codes.md", "is refuted gives {}, too", EXIT_CODES[REFUTED])
 said("docs/reference/exit-codes.md", "tests for {} never", EXIT_CODES[PROVED])
 P = "docs/reference/text.md"
+said(
+    P,
+    "or where both sides meet, as at e². Then there are rows `row.part1` and `row.part2`, in",
+    by=coded("e² row.part1 row.part2", "verify/prover/parts.py", 'f"{row.name}.part{k}"'),
+)
+said(
+    P,
+    "as with `a != 0` and `1/a < b`, there are two contexts, with the rows `row.1` and `row.2`",
+    by=coded(
+        "a != 0 1/a < b row.1 row.2", "verify/wire/halves.py", 'name=f"{row.name}.{self.number}"'
+    ),
+)
 said(P, "counted from {};", coded("1", "verify/wire/text/matrices.py", "counted from 1"))
 said(P, "of at most {} rows", MAX_DETERMINANT)
 said(

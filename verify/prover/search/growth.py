@@ -45,6 +45,8 @@ from verify.prover.session import ZERO
 #: Derivatives and cuts inside one another, claims that are looked at in all, and those of them
 #: that other techniques get.
 MAX_DEPTH, MAX_CLAIMS, MAX_ALGEBRAIC = 30, 60, 3
+#: With so much work first, where functions of numbers may be isolated as well.
+UNITS_FOR_ALGEBRA = 500_000
 #: Variables of a claim, of which one grows, and places of the others that estimates look at.
 MAX_VARIABLES, PLACES = 3, 12
 #: A claim may have so many different terms, each of which costs so many units of work.
@@ -72,8 +74,7 @@ def by_growth(question: Question) -> Proof | None:
         return None
     own = [variable.name for variable in known.contexts[goal.context].variables]
     names = [name for name in goal.variables if name in own]
-    parts = parts_of(goal.claim.lhs, goal.claim.rhs)
-    ops = {part.op for part in parts if goal.variables.keys() & {*names_of(part)}}
+    ops = {part.op for part in parts_of(goal.claim.lhs, goal.claim.rhs)}
     if not 1 <= len(goal.variables) <= MAX_VARIABLES or ops.isdisjoint(FUNCTIONS):
         return None
     if goal.claim.relation not in ("<", "<=") or goal.claim.lhs == ZERO == goal.claim.rhs:
@@ -141,11 +142,16 @@ class Growth:
         touches = min(gap for _, gap in gaps) < 1e-3
         found = self._simple(claim, bounds, cuts)
         found = found or (None if touches else self._tree(claim, bounds, cuts))
-        if any(map(self._moves, parts_of(claim.lhs, claim.rhs))):
+        parts = [*parts_of(claim.lhs, claim.rhs)]
+        is_algebraic = not any(map(self._moves, parts))
+        if any(part.op in FUNCTIONS for part in parts):
+            if is_algebraic:
+                with self.question.budget.at_most(UNITS_FOR_ALGEBRA):
+                    found = found or self._algebraic(claim)
             found = found or self._isolated(claim, bounds, cuts, depth)
             found = found or self._cleared(claim, bounds, cuts, depth)
             found = found or self._grown(claim, bounds, cuts, depth)
-        else:
+        if is_algebraic:
             found = found or self._algebraic(claim)
         return found or self._cut(claim, bounds, cuts, depth)
 
@@ -224,7 +230,9 @@ class Growth:
         if any(atom.op in ROOTS for atom in clearing.atoms):
             from verify.prover.search.roots_of_variables import in_root  # only where it is used
 
-            return in_root(claim, self.x, bounds, clearing, difference, len(cuts))
+            in_the_root = in_root(claim, self.x, bounds, clearing, difference, len(cuts))
+            if in_the_root is not None:
+                return in_the_root
         return self._by_range(claim, clearing, difference, f"@{len(cuts) + 1}")
 
     def _on_half_line(self, claim: Claim, bounds: Bounds, polynomial: fmpq_mpoly) -> Sum | None:

@@ -142,7 +142,7 @@ def test_the_count_is_that_of_the_cosine() -> None:
 def test_the_files(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     code, _, err = run(capsys, "--out", str(tmp_path / "new"))
     assert (code, err) == (0, "")
-    files = {"statement.json", "certificate.json", "check.py", "report.html", "report.md"}
+    files = {"statement.json", "certificate.json", "check.py", "report.html"}
     assert {p.name for p in (tmp_path / "new").iterdir()} == files
     assert check.main([str(tmp_path / "new")]) == 0
     assert main(["check", "--statement", str(tmp_path / "new")]) == 0

@@ -63,7 +63,7 @@ def test_what_is_proved_can_be_sent(
     assert (there / "check.py").read_bytes() == (ROOT / "verify/check.py").read_bytes()
     assert main(["check", str(there)]) == 0
     names = {str(path.relative_to(there)) for path in there.rglob("*") if path.is_file()}
-    assert {"statement.json", "certificate.json", "report.md", "report.html"} < names
+    assert {"statement.json", "certificate.json", "report.html"} < names
 
     page = Page((there / "report.html").read_text(encoding="utf-8"))
     assert {*page.links} == {"data:,", "#top"}

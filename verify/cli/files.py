@@ -303,12 +303,18 @@ class UncheckableError(InputError):
 
 
 def write_certificate(
-    option: str, directory: str, outcome: Outcome, beside: Mapping[str, bytes] | None = None
+    option: str,
+    directory: str,
+    outcome: Outcome,
+    beside: Mapping[str, bytes] | None = None,
+    *,
+    markdown: bool = False,
 ) -> Outcome:
     """Write an outcome as a certificate that `verify/check.py` accepts, or say why not.
 
     It is given back with the verdicts of the checker, or as it is if nothing was written.
-    ``beside`` are other files of the same folder, by default those with which it can be sent.
+    ``beside`` are other files of the same folder, by default those with which it can be sent;
+    with the report in ``markdown``, too.
     Nothing is written, with a line on stderr, where a needed row is undecided.
 
     Raises:
@@ -342,7 +348,7 @@ def write_certificate(
     if beside is None:
         from verify.cli.sent import sent  # loaded only where it is used
 
-        beside = sent(judged, files)
+        beside = sent(judged, files, markdown=markdown)
     write_folder(option, directory, {**files, **beside})
     return judged
 

@@ -61,4 +61,4 @@ def write(directory: str, outcome: Outcome) -> None:
     kept = {row.name: outcome.decisions[row.name] for row in rows}
     statement = outcome.statement._replace(obligations=tuple(rows))
     written = outcome._replace(statement=statement, decisions=kept)
-    write_certificate("--out", directory, written)
+    write_certificate("--out", directory, written, markdown=True)

@@ -11,12 +11,12 @@ from verify.views.markdown import report
 from verify.views.page.single import single_page
 
 
-def sent(outcome: Outcome, files: Mapping[str, bytes]) -> dict[str, bytes]:
-    """The checker as it is here, and the report: as text, and as a page that needs no other file.
+def sent(outcome: Outcome, files: Mapping[str, bytes], *, markdown: bool) -> dict[str, bytes]:
+    """The checker as it is here, and the report as a page that needs no other file, or as text too.
 
     The page has the digests of the checker and of ``files``, which are those of the certificate.
     """
     checker = {"check.py": package_files("verify").joinpath("check.py").read_bytes()}
     page = single_page(outcome, PAPER, {**files, **checker})
-    told = {"report.md": report(outcome, PAPER).encode(), "report.html": page.encode()}
-    return {**checker, **told}
+    told = {"report.md": report(outcome, PAPER).encode()} if markdown else {}
+    return {**checker, "report.html": page.encode(), **told}

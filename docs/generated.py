@@ -225,7 +225,7 @@ BELIEVED = {
 #: Who judges what one runs; each also as words of a command that shows it.
 JUDGES = {
     "`verify theorem1 --r R`, `verify scene`": "FLINT at a point",
-    "either with `--out`, and all commands that are not named here": "the checker",
+    "either with `--out` (except many balls), and all commands not named here": "the checker",
     "`verify map`": "verify/check_map.py",
     "`verify separatrix` without `--all` and `--out`": "balls along monotone orbits",
 }

@@ -13,18 +13,9 @@ TYPE_CHECKING = False
 #: What a program of one's own imports from here, by the modules that have it.
 _OFFERED = {
     "verify.library": (
-        *(
-            "Interval",
-            "Result",
-            "always",
-            "applies",
-            "ask",
-            "assume",
-            "certificate",
-            "cite",
-            "constant",
-        ),
-        *("for_all", "lemma", "prove", "prove_page", "read_page", "root_between", "write_page"),
+        *("Interval", "Result", "always", "applies", "ask", "assume", "certificate", "cite"),
+        *("constant", "for_all", "lemma", "prove", "prove_page", "read_page", "root_between"),
+        "write_page",
     ),
     "verify.language.terms": (
         *("Claim", "Term", "absolute", "acos", "any_of", "asin", "atan", "cos", "cos_pi", "cosh"),

@@ -121,7 +121,7 @@ SHOWN = {
         "theorem1 --r 0.03",
         "scene {scenes}/in-space.toml",
     ),
-    "either with `--out`, and all commands that are not named here": (
+    "either with `--out` (except many balls), and all commands not named here": (
         "scene {scenes}/in-space.toml --out {out}/scene",
         "theorem1 --all",
         "theorem1 --r 0.02..0.03",

@@ -184,13 +184,13 @@ def told_apart(
     return short(left, digits), short(right, digits)
 
 
-def as_one(
+def as_one_or_two(
     left: tuple[Fraction, Fraction], right: tuple[Fraction, Fraction], digits: int = 8
-) -> str:
+) -> tuple[str] | tuple[str, str]:
     """Two numbers in one text, and how far apart they are, where no digits tell them apart.
 
-    Nothing where digits do, where the numbers are exact and are shown whole, or where so little is
-    known of them that they have no digits in common.
+    In two texts where digits do, where the numbers are exact and are shown whole, or where so
+    little is known of them that they have no digits in common.
     """
     near, far = (
         max(right[0] - left[1], left[0] - right[1]),
@@ -199,12 +199,12 @@ def as_one(
     texts = told_apart(left, right, digits)
     common = short((min(left[0], right[0]), max(left[1], right[1])), digits)
     if (near > 0 and texts[0] != texts[1]) or common.startswith("["):
-        return ""
+        return texts
     if far == 0:
-        return f"{common}, exactly equal" if common.endswith("…") else ""
+        return (f"{common}, exactly equal",) if common.endswith("…") else texts
     most = people(decimal_text(*round_decimal(far, 1, up=True)))
     least = people(decimal_text(*round_decimal(near, 1, up=False))) if near > 0 else ""
-    return f"{common}, {least and f'at least {least} and '}at most {most} apart"
+    return (f"{common}, {least and f'at least {least} and '}at most {most} apart",)
 
 
 def _to_digits(ends: tuple[Fraction, Fraction], digits: int) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cache, partial
+from functools import cache, lru_cache, partial
 from html import escape, unescape
 from typing import Any
 
@@ -31,6 +31,7 @@ _MINUS = re.compile(
 _LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
+@lru_cache(1 << 12)  # the cells of a table repeat each other
 def prose(text: str) -> str:
     """A sentence with its minus signs, subscripts, superscripts and powers of ten set as such."""
     return powers(_line(pieces(_MINUS.sub("−", text))))

@@ -22,7 +22,7 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term, names_of, symbol
 from verify.language.typeset import LONG, Typesetter, letters_apart
-from verify.prover.decimals import as_one, short, told_apart
+from verify.prover.decimals import as_one_or_two, short
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 from verify.publication import HYPOTHESES, LETTERS, OTHERWISE, REMARK, TITLE_LETTERS, Publication
 
@@ -346,21 +346,17 @@ def sides_told(row: Obligation, decision: Decision, digits: int = 8) -> str:
     sides = sides_of(row, decision)
     if sides is None or not isinstance(row.claim, Claim):
         return ""
-    one = as_one(*sides, digits)
-    if one:
-        return f"both sides {one}"
-    left, right = told_apart(*sides, digits)
-    return f"{left} {SIGNS[row.claim.relation]} {right}"
+    texts = as_one_or_two(*sides, digits)
+    if len(texts) == 1:
+        return f"both sides {texts[0]}"
+    return f" {SIGNS[row.claim.relation]} ".join(texts)
 
 
 def sides_named(left: Ends, right: Ends) -> str:
     """Both sides by their names."""
-    one = as_one(left, right)
-    return (
-        f"both sides {one}"
-        if one
-        else "left side {}, right side {}".format(*told_apart(left, right))
-    )
+    texts = as_one_or_two(left, right)
+    named = "both sides {}" if len(texts) == 1 else "left side {}, right side {}"
+    return named.format(*texts)
 
 
 def parameters_of(outcome: Outcome) -> dict[str, Term]:

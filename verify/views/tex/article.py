@@ -22,7 +22,7 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term
 from verify.language.typeset import letters_apart
-from verify.prover.decimals import as_one, short, told_apart
+from verify.prover.decimals import as_one_or_two, short
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.uses import nodes
 from verify.publication import REPAIRED, Publication
@@ -292,12 +292,11 @@ class _Part:
 
     def _evidence(self, row: Obligation, found: Decision) -> Iterator[str]:
         sides = sides_of(row, found)
-        one = "" if sides is None else as_one(*sides)
-        left, right = ("", "") if sides is None else told_apart(*sides)
-        if one:
-            yield "both sides " + _NUMBER.sub(lambda m: f"${tex_number(m[0])}$", one)
-        elif left and "[" not in left + right:
-            yield rf"left side ${tex_number(left)}$, right side ${tex_number(right)}$"
+        texts = () if sides is None else as_one_or_two(*sides)
+        if len(texts) == 1:
+            yield "both sides " + _NUMBER.sub(lambda m: f"${tex_number(m[0])}$", texts[0])
+        elif texts and "[" not in "".join(texts):
+            yield "left side ${}$, right side ${}$".format(*map(tex_number, texts))
         if found.verdict == REFUTED and found.witness:
             values = self.formulas.values(in_order(witness_of(row, found) or found.witness))
             yield rf"false at ${values}$"

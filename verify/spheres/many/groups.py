@@ -36,35 +36,41 @@ def find_groups(queue: Queue, time: Number) -> list[list[int]] | None:
 
     At the time all balls are in free flight.
     """
-    groups = [[k] for k in range(queue.motion.system.number)]
-    clouds = [_cloud(queue.motion, group, time) for group in groups]
-    meets = [event.members for event in queue.apart_from(())]
-    while (pair := _not_apart(groups, clouds, meets)) is not None:
-        i, j = pair
-        joined = sorted(groups[i] + groups[j])
-        if len(joined) > MOST:
+    of = {k: [k] for k in range(queue.motion.system.number)}
+    for first, second in (event.members for event in queue.apart_from(())):
+        if of[first] is not of[second] and not _join(of, of[first], of[second]):
             return None
-        groups = [group for k, group in enumerate(groups) if k not in pair] + [joined]
-        clouds = [cloud for k, cloud in enumerate(clouds) if k not in pair]
-        clouds.append(_cloud(queue.motion, joined, time))
-    return groups
+    found: dict[int, Cloud] = {}
+    waiting = [group for k, group in of.items() if group[0] == k]
+    while waiting:
+        group = waiting.pop()
+        cloud = _cloud(queue.motion, group, time)
+        # Single balls that meet have been joined.
+        near = (k for k, one in found.items()
+                if len(group) + len(of[k]) > 2 and not _are_apart(cloud, one))  # fmt: skip
+        other = next(near, -1)
+        if other < 0:
+            found[group[0]] = cloud
+        elif not _join(of, group, of[other]):
+            return None
+        else:
+            del found[other]
+            waiting.append(of[other])
+    return [of[k] for k in sorted(found)]
 
 
-def _not_apart(
-    groups: Sequence[list[int]], clouds: Sequence[Cloud], meets: Sequence[tuple[int, ...]]
-) -> tuple[int, int] | None:
-    """Two groups that meet, or may."""
-    of = {ball: number for number, group in enumerate(groups) for ball in group}
-    for first, second in meets:
-        if of[first] != of[second]:
-            return of[first], of[second]
-    for j, two in enumerate(clouds):
-        for i, one in enumerate(clouds[:j]):
-            x = [b - a for a, b in zip(one.x, two.x, strict=True)]
-            w = [b - a for a, b in zip(one.v, two.v, strict=True)]
-            if not is_apart(x, w, one.reach + two.reach, one.growth + two.growth, None):
-                return i, j
-    return None
+def _join(of: dict[int, list[int]], one: list[int], two: list[int]) -> bool:
+    """Whether two groups are few enough together; if so, they are one afterwards."""
+    joined = sorted(one + two)
+    of |= dict.fromkeys(joined, joined)
+    return len(joined) <= MOST
+
+
+def _are_apart(one: Cloud, two: Cloud) -> bool:
+    """True only if two groups never meet."""
+    x = [b - a for a, b in zip(one.x, two.x, strict=True)]
+    w = [b - a for a, b in zip(one.v, two.v, strict=True)]
+    return is_apart(x, w, one.reach + two.reach, one.growth + two.growth, None)
 
 
 def _cloud(motion: Motion, group: Sequence[int], time: Number) -> Cloud:

@@ -30,7 +30,7 @@ from verify.spheres.flow.collapse import Collapse, start_of
 from verify.spheres.flow.law import Number
 from verify.spheres.flow.three_balls import Bodies, find_three_balls, scaled
 from verify.spheres.many.motion import ZERO, Approach, Motion, Shift, inner
-from verify.spheres.many.queue import Queue
+from verify.spheres.many.queue import Queue, above
 from verify.spheres.scene.decide import bodies_of
 from verify.spheres.scene.scene import Coordinates, Scene, sizes_of
 
@@ -139,7 +139,7 @@ def find_rest(queue: Queue, ball: int, wall: int, time: Number) -> Number | None
         return None
     later, reach = _bounces(motion, wall, way.rate, way.fall)
     members, walls = {ball: reach}, {ball: wall}
-    for event in queue.apart_from(members):
+    for event in queue.apart_from(members, above(time + later)):
         k, own = event.who[0], -1 - event.who[1]
         if time + later < event.time:
             continue
@@ -177,7 +177,7 @@ def stays_alone(
     motion, end = queue.motion, start + later
     if queue.limit is not None and not end < queue.limit:
         return False
-    if not all(end < event.time for event in queue.apart_from(members)):
+    if not all(end < event.time for event in queue.apart_from(members, above(end))):
         return False
     pairs = [(i, k) for i in members for k in range(motion.system.number) if k not in members]
     slopes = {pair: members[pair[0]] for pair in pairs}
@@ -189,7 +189,7 @@ def stays_alone(
     span = first, max(first, balls.as_float(end))
     for (i, j), slope in slopes.items():
         own = tuple(b - a for a, b in zip(near[i], near[j], strict=True)) if j in near else None
-        for shift in queue.images(i, j, span, balls.as_float(slope * later)):
+        for shift in queue.nearby.images(i, j, span, balls.as_float(slope * later)):
             if shift == own:
                 continue
             x, w = motion.difference(motion.at(i, start), motion.at(j, start), shift)

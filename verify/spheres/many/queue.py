@@ -26,13 +26,13 @@ from verify.spheres.flow.follow import (
 )
 from verify.spheres.flow.law import Number, Pair
 from verify.spheres.many.motion import ZERO, Approach, Ball, Motion, Shift, inner
+from verify.spheres.many.nearby import FEW, FOR_EVER, Nearby
 from verify.spheres.many.system import name_of
 
-#: Floats are taken to be wrong by this share of the numbers that they come from, or less.
-MARGIN = 1e-9
 #: Of the radius of the smallest ball: what is less certain of a place in a box is not used.
 CERTAIN = 1e-11
-#: The share of its smallest period that two balls fly in a box before contacts are sought anew.
+#: The share of its smallest period that two of few balls fly in a box before contacts are sought
+#: anew.
 PART = 0.5
 
 
@@ -82,8 +82,8 @@ class Queue:
         self.motion, self.serial = motion, 0
         self.heap: list[tuple[float, int, Event]] = []
         self.stamps = [0] * motion.system.number
-        self.floats = [_floats(ball) for ball in motion.balls]
-        self.sides = [balls.as_float(side) for side in motion.box]
+        self.nearby = Nearby(motion)
+        self.certain = float(min(motion.system.radii)) * CERTAIN if motion.box else 0.0
         #: In a box all contacts before this time are foreseen.
         self.limit: Number = None
         #: About when that happened which was looked at last.
@@ -97,14 +97,16 @@ class Queue:
         count = self.motion.system.number
         self.heap.clear()
         if self.motion.box:
-            speeds = zip(*(v for _, _, v in self.floats), strict=True)
+            speeds = zip(*(v for _, _, v in self.nearby.ways), strict=True)
             fastest = max(max(row) - min(row) for row in speeds)
-            wait = PART * min(self.sides) / fastest if fastest > 0 else 1
+            part = PART / max(1.0, math.sqrt(count / FEW))  # so that few of many are near
+            wait = part * min(self.nearby.sides) / fastest if fastest > 0 else 1
             start = ZERO if self.limit is None else self.limit
             self.limit = start + balls.exact(Fraction(f"{wait:.3g}"))
-        for i, j in combinations(range(count), 2):
-            self._foresee(i, j, None)
         for i in range(count):
+            for j in self._others(i):
+                if i < j:
+                    self._foresee(i, j, None)
             self._foresee_walls(i, None)
 
     def after(self, events: Sequence[Event]) -> None:
@@ -116,27 +118,33 @@ class Queue:
         for event in events:
             for i in event.members:
                 self.stamps[i] += 1
-                self.floats[i] = _floats(self.motion.balls[i])
+                self.nearby.moved(i)
                 if self.motion.box:
                     self._check_certain(i)
         done: set[tuple[int, int]] = set()
         for event in events:
             for i in event.members:
-                for j in range(self.motion.system.number):
+                for j in self._others(i):
                     pair = (min(i, j), max(i, j))
-                    if i != j and pair not in done:
+                    if pair not in done:
                         done.add(pair)
                         self._foresee(*pair, event)
                 self._foresee_walls(i, event)
 
+    def _others(self, i: int) -> Iterable[int]:
+        """The balls that may touch this one up to the limit, and some more."""
+        return self.nearby.others(i, FOR_EVER if self.limit is None else balls.as_float(self.limit))
+
     def _check_certain(self, i: int) -> None:
-        ball, least = self.motion.balls[i], float(min(self.motion.system.radii)) * CERTAIN
+        ball, least = self.motion.balls[i], self.certain
         limit = balls.as_float(self.limit - ball.time)
         for row, size in ((ball.x, 1.0), (ball.v, max(limit, 0.0))):
             if not all(float(balls.as_ball(a).rad()) * size <= least for a in row):
                 raise UnclearError(f"the place of ball {i} is not known well enough")
 
-    def _foresee(self, i: int, j: int, met: Event | None) -> None:
+    def _foresee(self, i: int, j: int, met: Event | None) -> list[Event]:
+        """Afterwards the contacts of two balls are foreseen, which are given back."""
+        found = []
         motion, (one, two) = self.motion, (self.motion.balls[k].time for k in (i, j))
         time = two if one < two else one
         for shift in self._shifts(i, j, time):
@@ -144,7 +152,8 @@ class Queue:
             if met is not None and met.who != (i, j):
                 off = met.time - time
                 _check_off(pair.g + off * (2 * pair.p + off * pair.m), met, (i, j))
-            self._add(meeting(pair), time, (i, j), shift)
+            found += self._add(meeting(pair), time, (i, j), shift)
+        return found
 
     def _shifts(self, i: int, j: int, time: Number) -> Iterator[Shift]:
         """The images that may touch up to the limit."""
@@ -152,30 +161,7 @@ class Queue:
             yield ()
             return
         start, end = balls.as_float(time), balls.as_float(self.limit)
-        yield from self.images(i, j, (start, max(end, start)), 0.0)
-
-    def images(self, i: int, j: int, span: tuple[float, float], more: float) -> Iterator[Shift]:
-        """The images of the second ball that may touch the first one in a span of time.
-
-        In it each ball may be off its straight way by half of ``more``. Images that do not may be
-        given, too: floats are wrong by much less than the margin.
-        """
-        (start, end), reach = span, float(self.motion.system.contact(i, j)) + more
-        ranges = []
-        for k, side in enumerate(self.sides):
-            (a, size_a, v), (b, size_b, w) = (self._place(ball, k, start) for ball in (i, j))
-            ends = (b - a, b - a + (w - v) * (end - start))
-            size = size_a + size_b + (abs(v) + abs(w)) * (end - start) + side
-            room = reach + MARGIN * (size + reach)
-            low, high = (-room - max(ends)) / side, (room - min(ends)) / side
-            ranges.append(range(math.ceil(low), math.floor(high) + 1))
-        yield from product(*ranges)
-
-    def _place(self, i: int, k: int, time: float) -> tuple[float, float, float]:
-        """A coordinate then, the size of what it is computed from, and its rate."""
-        start, x, v = self.floats[i]
-        way = v[k] * (time - start)
-        return x[k] + way, abs(x[k]) + abs(v[k]) * (abs(time) + abs(start)), v[k]
+        yield from self.nearby.images(i, j, (start, max(end, start)), 0.0)
 
     def _foresee_walls(self, i: int, met: Event | None) -> None:
         for wall in range(len(self.motion.normals)):
@@ -187,16 +173,18 @@ class Queue:
             self._add(arrival(way, touches=met is not None and met.who == who), time, who, ())
 
     def _add(self, wait: Number | Doubt | None, time: Number, who: tuple[int, int],
-             shift: Shift) -> None:  # fmt: skip
+             shift: Shift) -> list[Event]:  # fmt: skip
         if wait is None:
-            return
+            return []
         stamps = (self.stamps[who[0]], 0 if who[1] < 0 else self.stamps[who[1]])
         unclear, name = "", ""
         if isinstance(wait, Doubt):
             wait, unclear, name = wait
         if not balls.as_ball(wait).is_finite():
             wait, unclear, name = ZERO, "meet at an unknown time", UNCLEAR
-        self.put_back([Event(time + wait, who, shift, stamps, unclear, name)])
+        found = [Event(time + wait, who, shift, stamps, unclear, name)]
+        self.put_back(found)
+        return found
 
     # --- what comes next --------------------------------------------------------------------------
 
@@ -237,7 +225,7 @@ class Queue:
         taken: list[Event] = []
         group: list[Event] = []
         end = math.inf
-        while self.heap and self.heap[0][0] <= end:
+        while self._due(end):
             event = heappop(self.heap)[2]
             if not self.is_valid(event):
                 continue
@@ -247,17 +235,32 @@ class Queue:
         self.put_back(event for event in taken if not any(event is one for one in group))
         return group
 
+    def _due(self, end: float) -> bool:
+        """Whether a contact may be up to a time; if so, that which may be first is on top."""
+        while True:
+            first = self.heap[0][0] if self.heap else math.inf
+            pair = self.nearby.due(min(first, end))
+            if pair is None:
+                return first <= end and bool(self.heap)
+            self._foresee(*pair, None)
+
     def put_back(self, events: Iterable[Event]) -> None:
         """Afterwards these are foreseen, too."""
         for event in events:
             self.serial += 1
             heappush(self.heap, (below(event.time), self.serial, event))
 
-    def apart_from(self, members: Collection[int]) -> Iterator[Event]:
-        """The contacts that are foreseen in which none of these balls takes part."""
-        for _, _, event in self.heap:
-            if self.is_valid(event) and not {*event.members} & {*members}:
-                yield event
+    def apart_from(self, members: Collection[int], end: float = FOR_EVER) -> Iterator[Event]:
+        """The contacts foreseen in which none of these balls takes part, up to a time at least."""
+        found = [event for _, _, event in self.heap]
+        while True:
+            for event in found:
+                if self.is_valid(event) and not {*event.members} & {*members}:
+                    yield event
+            pair = self.nearby.due(end)
+            if pair is None:
+                return
+            found = self._foresee(*pair, None)
 
 
 def _check_off(gap: Number, met: Event, who: tuple[int, int]) -> None:
@@ -283,10 +286,10 @@ def check_apart(motion: Motion, before: dict[int, Ball], events: Sequence[Event]
         UnclearError: if that is not certain.
     """
     time = reduce(balls.hull, (balls.as_ball(event.time) for event in events))
+    paths = {k: _path(motion.balls[k], ball, time) for k, ball in before.items()}
     for one, two in combinations(events, 2):
         for i, j in product(one.members, two.members):
-            x = [_path(motion.balls[k], before[k], time) for k in (i, j)]
-            difference = [b - a for a, b in zip(*x, strict=True)]
+            difference = [b - a for a, b in zip(paths[i], paths[j], strict=True)]
             square = balls.exact(motion.system.contact(i, j) ** 2)
             for place in near_images(motion, difference):
                 if not inner(place, place) > square:
@@ -366,11 +369,6 @@ def arrival(way: Approach, *, touches: bool = False) -> Number | Doubt | None:
         return Doubt(ZERO, "may be in contact and at rest", UNCLEAR)
     root = balls.any_root(rate * rate - 2 * fall * gap)
     return 2 * gap / (root - rate) if rate < 0 else (rate + root) / -fall
-
-
-def _floats(ball: Ball) -> tuple[float, list[float], list[float]]:
-    x, v = ([balls.as_float(a) for a in row] for row in (ball.x, ball.v))
-    return balls.as_float(ball.time), x, v
 
 
 def below(value: Number) -> float:

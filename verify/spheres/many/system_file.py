@@ -12,10 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from itertools import combinations, product
+from itertools import product
 from typing import Any
 
 from verify.prover.decimals import exact_number
+from verify.spheres.many.motion import Motion
+from verify.spheres.many.nearby import Nearby
 from verify.spheres.many.particles_file import with_particles
 from verify.spheres.many.system import System, Wall, name_of
 from verify.spheres.scene.scene import PAIRS, pair_name
@@ -46,6 +48,8 @@ from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.toml import toml_of
 
 MOST, MOST_WALLS = 2000, 100
+#: To so many bits it is looked at which particles are near one another.
+BITS = 64
 #: In a box floats tell which images may come near: numbers have to be within these.
 LEAST_SIZE, MOST_SIZE = Fraction(1, 10**60), Fraction(10**60)
 OTHERS = "others"
@@ -136,22 +140,37 @@ def _restitutions(
     given = table[key]
     if not isinstance(given, dict):
         return _coefficient(f"{where}: {key}", given), {}
-    pairs = {name_of(i, j): (i, j) for i, j in combinations(range(number), 2)}
     own = {name: value for name, value in given.items() if name != OTHERS}
     if {*own} == {pair_name(i, j) for i, j in PAIRS} and number == len(PAIRS):
         own = {f"{name[0]}-{name[1]}": value for name, value in own.items()}
-    for name in own:
-        if name not in pairs:
+    pairs = {name: _pair(name, number) for name in own}
+    for name, pair in pairs.items():
+        if pair is None:
             raise InputError(
                 f"{where}: {key}: {shown(name)} is no pair; write two numbers of particles, the "
                 f'smaller one first, like "0-1", or "{OTHERS}"'
             )
-    found = {pairs[name]: _coefficient(f"{where}: {key} of {name}", own[name]) for name in own}
+    found = {
+        pair: _coefficient(f"{where}: {key} of {name}", own[name])
+        for name, pair in pairs.items()
+        if pair is not None
+    }
     if OTHERS in given:
         return _coefficient(f"{where}: {key} of {OTHERS}", given[OTHERS]), found
-    if len(found) < len(pairs) or not found:
+    if len(found) < number * (number - 1) // 2 or not found:
         raise InputError(f'{where}: {key}: not all pairs have one; write "{OTHERS}" = "0.9", too')
     return max(found.values()), found
+
+
+def _pair(name: str, number: int) -> tuple[int, int] | None:
+    """The two numbers in a name like 3-12, the smaller one first; None if it has not got that."""
+    parts = name.split("-")
+    if len(parts) != 2 or not all(part.isascii() and part.isdigit() for part in parts):
+        return None
+    if any(len(part) > len(str(number)) for part in parts):
+        return None
+    i, j = map(int, parts)
+    return (i, j) if i < j < number and name == name_of(i, j) else None
 
 
 def _vector(where: str, key: str, given: Any) -> tuple[Fraction, ...]:
@@ -198,10 +217,9 @@ def _check_box(where: str, system: System) -> None:
 
 def _check_apart(where: str, system: System) -> None:
     """Afterwards no two particles overlap, and none overlaps a wall."""
-    for i, j in combinations(range(system.number), 2):
+    nearby = Nearby(Motion(system, BITS))
+    for i, j in ((k, j) for k in range(system.number) for j in nearby.others(k, 0.0) if k < j):
         difference = [b - a for a, b in zip(system.positions[i], system.positions[j], strict=True)]
-        if abs(difference[0]) >= system.contact(i, j) and not system.box:
-            continue
         if any(
             sum(a * a for a in x) < system.contact(i, j) ** 2 for x in _images(system, difference)
         ):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from pathlib import Path
 
@@ -23,6 +24,7 @@ from verify.language.terms import (
 )
 from verify.wire.inputs import InputError
 from verify.wire.text.fpcore import read_fpcore
+from verify.wire.text.points import estimate
 from verify.wire.text.smtlib import read_smtlib
 
 X, Y = symbol("x"), symbol("y")
@@ -95,6 +97,17 @@ def test_sat_has_a_solution(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
 
 def test_ranges_are_proved(tmp_path: Path) -> None:
     assert run(tmp_path, "tests.fpcore", RANGES) == 0
+
+
+@pytest.mark.parametrize(("low", "high"), [(-27, -8), (-8, 27), (-1, 0), (0, 1), (1, 64)])
+def test_cube_roots_of_negative_numbers_are_negative(low: int, high: int, tmp_path: Path) -> None:
+    text = f"(FPCore (x) :pre (<= {low} x {high}) (cbrt x))"
+    claims = [row.claim for row in read_fpcore("f.fpcore", text.encode()).obligations]
+    lowest, highest = estimate(claims[0].lhs, {}), estimate(claims[1].rhs, {})
+    roots = [math.copysign(abs(a) ** (1 / 3), a) for a in (low, high)]
+    spare = (roots[1] - roots[0]) / 40
+    assert roots[0] - spare <= lowest <= roots[0] < roots[1] <= highest <= roots[1] + spare
+    assert run(tmp_path, "roots.fpcore", text) == 0
 
 
 def test_ranges_are_near_the_values() -> None:

@@ -177,6 +177,12 @@ def _over_pi(term: Term) -> Term | None:
     return None if found is None else Term(term.op, found, *term.children[1:])
 
 
+def _cube_root(term: Term) -> Term:
+    """The cube root of a real number: that of a negative number is negative."""
+    above, below = terms.maximum(term, 0), terms.maximum(-term, 0)
+    return terms.nth_root(above, 3) - terms.nth_root(below, 3)
+
+
 Operation = Callable[..., Term]
 _COMMON: Mapping[str, Operation] = {
     "+": _plus,
@@ -185,7 +191,8 @@ _COMMON: Mapping[str, Operation] = {
     "/": _quotient,
     **{name: getattr(terms, name) for name in ("atan", "sqrt", "exp", "log", "sin")},
     "cos": _cosine,
-    **{name: FUNCTIONS[name] for name in ("tan", "asin", "acos", "sinh", "cosh", "tanh", "cbrt")},
+    **{name: FUNCTIONS[name] for name in ("tan", "asin", "acos", "sinh", "cosh", "tanh")},
+    "cbrt": _cube_root,
     "pow": _power,
 }
 

@@ -17,7 +17,6 @@ from fractions import Fraction
 
 from flint import fmpq
 
-from verify.language.fold import replaced
 from verify.language.terms import (
     Claim,
     Term,
@@ -31,7 +30,7 @@ from verify.language.terms import (
     symbol,
 )
 from verify.prover.balls import fraction_of
-from verify.prover.clearing import Clearing, Polynomial, coefficients, has_value
+from verify.prover.clearing import Clearing, Polynomial, coefficients, has_value, outside_atoms
 from verify.prover.constants import Constants
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Entry, Law, Sum, same
@@ -248,9 +247,9 @@ def by_half_turns(
     if not equations:
         return None
     values = {atom: value for atom, (_, value) in equations.items()}
-    sides = [replaced(replaced(side, values), values) for side in (claim.lhs, claim.rhs)]
+    sides = [outside_atoms(side, values) for side in (claim.lhs, claim.rhs)]
     simpler = Claim(claim.relation, *sides)
-    if not tight.cleared(claim.lhs, claim.rhs, *sides):
+    if simpler == claim or not tight.cleared(claim.lhs, claim.rhs, *sides):
         return None
     session, proof = tight.session, prove(simpler)
     if proof is None:

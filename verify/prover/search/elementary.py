@@ -15,9 +15,8 @@ from math import gcd, lcm
 
 from flint import fmpq_mpoly
 
-from verify.language.fold import replaced
 from verify.language.terms import Claim, Term, as_term, atan, cos, equal, pi, sin, sqrt
-from verify.prover.clearing import Clearing, TooLongError, atoms_of, coefficients
+from verify.prover.clearing import Clearing, TooLongError, atoms_of, coefficients, outside_atoms
 from verify.prover.cosines import HALF, Relations
 from verify.prover.proof import Proof, Value, product_of
 from verify.prover.rules import (
@@ -62,10 +61,10 @@ def by_elementary(question: Question) -> Proof | None:
             return normal.identity(claim) or Angles(question).proof(claim)
         if not normal.replaced or not normal.is_algebraic:
             return None
-        sides = [normal.written_out(side) for side in (claim.lhs, claim.rhs)]
+        sides = [outside_atoms(side, normal.replaced) for side in (claim.lhs, claim.rhs)]
     except TooLongError:
         return None
-    if not known.clears(sides, question.goal.context):
+    if sides == [claim.lhs, claim.rhs] or not known.clears(sides, question.goal.context):
         return None
     fact = question.fact(Claim(claim.relation, *sides))
     return None if fact is None else same(claim, fact, (*normal.used,))
@@ -337,15 +336,6 @@ class Normal:
         if n == 1:
             self.generators[generator] = None
         return n == 1
-
-    def written_out(self, term: Term) -> Term:
-        """A term with all that is replaced."""
-        for _ in range(2 * MAX_MULTIPLES):
-            other = replaced(term, self.replaced)
-            if other == term:
-                break
-            term = other
-        return term
 
     def identity(self, claim: Claim) -> Proof | None:
         """A proof of an equation, if both sides are the same."""

@@ -7,6 +7,7 @@ the claim failed all of them would be, as no entry is above the maximum.
 from __future__ import annotations
 
 from verify.language.terms import Claim, Term, equal
+from verify.prover.clearing import outside_atoms
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Antisymmetry, Cases, Entry, Least, Sum, same
 from verify.prover.search.domain import Domain
@@ -93,26 +94,11 @@ def by_known_entries(question: Question) -> Proof | None:
             equations[name], chosen[term] = None, entry
     if not chosen:
         return None
-    sides = [_with_entries(side, chosen) for side in (claim.lhs, claim.rhs)]
+    sides = [outside_atoms(side, chosen, divisors=False) for side in (claim.lhs, claim.rhs)]
     if claim.key[1:] == tuple(sides):
         return None
     fact = question.fact(Claim(claim.relation, *sides))
     return None if fact is None else same(claim, fact, (*equations,))
-
-
-def _with_entries(side: Term, chosen: dict[Term, Term]) -> Term:
-    """A term as the checker replaces what is chosen: not inside other atoms.
-
-    Divisors stay, as claims are multiplied by them: by the same number in the claim and the fact.
-    """
-    if side in chosen:
-        return _with_entries(chosen[side], chosen)
-    if side.op not in ("add", "sub", "mul", "div", "neg", "pow"):
-        return side
-    children = [_with_entries(child, chosen) for child in side.children]
-    if side.op == "div":
-        children[1] = side.children[1]
-    return Term(side.op, *children, *side.args[len(children) :])
 
 
 def _known_entry(question: Question, term: Term) -> tuple[Term | None, str]:

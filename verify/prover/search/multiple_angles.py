@@ -11,10 +11,9 @@ from fractions import Fraction
 from functools import reduce
 from math import gcd
 
-from verify.language.fold import replaced
 from verify.language.terms import Claim, Term, as_term, equal
 from verify.prover.balls import fraction_of
-from verify.prover.clearing import Clearing, atoms_of
+from verify.prover.clearing import Clearing, atoms_of, outside_atoms
 from verify.prover.cosines import Relations, chebyshev
 from verify.prover.proof import Proof
 from verify.prover.rules import Sum, same
@@ -40,7 +39,9 @@ def by_multiple_angles(question: Question) -> Proof | None:
                     chosen[atom] = chebyshev(family.cosine, k)
     if not chosen:
         return None
-    sides = [replaced(side, chosen) for side in (claim.lhs, claim.rhs)]
+    sides = [outside_atoms(side, chosen) for side in (claim.lhs, claim.rhs)]
+    if sides == [claim.lhs, claim.rhs]:
+        return None
     fact = question.fact(Claim(claim.relation, *sides))
     if fact is None:
         return None

@@ -752,11 +752,12 @@ class _Reader:
         """What to write for a name before a parenthesis that is no function's."""
         from verify.wire.text import instead  # loaded only where it is used
 
-        if word in instead.FUNCTIONS:
+        is_name = word in self.names.known or word in self.names.hidden
+        if word in instead.FUNCTIONS and not (is_name and word in GREEK):
             return instead.FUNCTIONS[word]
         if word in NUMBERS or word == "π":
             return f"it is a number; write {word}"
-        is_name = word in self.names.known or word in self.names.hidden or word in GREEK
+        is_name = is_name or word in GREEK
         return f"write {word}*(...)" if is_name else nearest(word, CALLED)
 
     def _summed(self, word: str) -> Term:

@@ -59,9 +59,19 @@ WORDS: Mapping[str, str] = {
     "for": "write its variables under contexts",
     "in": "write 0 <= x <= 1 for x in [0, 1]",
     "mod": "there are no remainders",
+    "is": "write =, <= or >=",
+    **dict.fromkeys(("exists", "some"), "a claim is for all values; write a row at one of them"),
+    **dict.fromkeys(
+        ("integer", "integers", "natural", "whole"),
+        "variables are real numbers; write what you use of it, such as n >= 1",
+    ),
+    **dict.fromkeys(("all", "every", "any", "each"), "write its variables under contexts"),
     "and": "it stands between two claims",
     "or": "it stands between two claims",
-    **dict.fromkeys(("inf", "infinity", "oo", "infty"), "leave a bound out that is infinite"),
+    **dict.fromkeys(
+        ("inf", "infinity", "oo", "infty"),
+        "leave a bound out that is infinite; a sum has finitely many terms",
+    ),
 }
 
 #: Functions that have another name, or none.
@@ -87,6 +97,15 @@ FUNCTIONS: Mapping[str, str] = {
     **dict.fromkeys(("pow", "power"), "write x^y"),
     "fabs": "write abs(x)",
     "factorial": "write prod(k, k, 1, 5)",
+    **dict.fromkeys(
+        ("integral", "integrate", "lim", "limit", "limsup", "liminf", "sup"),
+        "there are no limits and no integrals; name its value, with the bounds that are known",
+    ),
+    **dict.fromkeys(("diff", "derivative", "grad"), "write the derivative out"),
+    **dict.fromkeys(
+        ("Gamma", "gamma", "lgamma", "zeta", "erf", "erfc", "besselj", "Li", "li"),
+        "name the value that you need, with the bounds that are known",
+    ),
     "not": WORDS["not"],
 }
 
@@ -140,6 +159,7 @@ _IN = re.compile(rf"(.+?)\s*(?:\bin\b|∈)\s*([\[\](]){_END}[,;]{_END}([\[\])])"
 _AMONG = re.compile(r"(.+?)\s*(?:\bin\b|∈)\s*\{([^{}]+)\}")
 _ENDLESS = re.compile(r"[-+]?(?:inf|infinity|infty|oo|∞)")
 _IMPLIES = re.compile(r"(?:if\b)?(.+?)(<==?>|<->|==?>|->|[⇔↔→⇒⟹⟶]|\b(?:implies|then|iff)\b)(.+)")
+_SOME = re.compile(r"∃|\(?(?:exists|there (?:is|are|exists?))\b|.*\bfor some\b")
 _RELATION = re.compile(r"[<>=≤≥≠]")
 _IS = {"positive": "> 0", "negative": "< 0", "nonnegative": ">= 0", "non-negative": ">= 0"}
 _ADJECTIVE = re.compile(rf"(.+?)\s+is\s+({'|'.join(map(re.escape, _IS))}|zero|nonzero)")
@@ -150,6 +170,8 @@ _CALL = re.compile(r"\b([A-Za-z]\w*)\(")
 def of_whole(text: str) -> str:
     """What is said of a whole text that no reader of formulas understands; nothing if unknown."""
     text = text.strip()
+    if _SOME.match(text):
+        return WORDS["exists"]
     inside = _IN.fullmatch(text)
     if inside:
         return f"an interval is two bounds; write {_bounds(*inside.groups())}"

@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import Annotated, Any, TypeVar
 
 from verify.language.record import Record
-from verify.language.terms import Claim, Term, as_term
+from verify.language.terms import Claim, Term
 from verify.prover.proof import Bits, Fact, Name, Premise, Proof, Side, Value
 
 
@@ -487,10 +487,3 @@ class Induction(Record):
 def rule_of(proof: Proof) -> str:
     """The name of the rule by which a proof shows its claim."""
     return RULES[type(proof)].name
-
-
-def same(claim: Claim, fact: str, using: tuple[str, ...]) -> Sum:
-    """A proof of a claim from a fact that is the same after some equations are used."""
-    if claim.relation == "=":
-        return Sum((), using, ((fact, as_term(1)),))
-    return Sum(("goal", fact), using)

@@ -33,7 +33,7 @@ from verify.prover.balls import fraction_of
 from verify.prover.clearing import Clearing, Polynomial, coefficients, has_value, outside_atoms
 from verify.prover.constants import Constants
 from verify.prover.proof import Proof, Value
-from verify.prover.rules import Entry, Law, Sum, same
+from verify.prover.rules import Entry, Law, Sum
 
 #: How many names are replaced at most; the longest proof that the paper needs replaces four.
 MAX_STEPS = 8
@@ -254,8 +254,10 @@ def by_half_turns(
     session, proof = tight.session, prove(simpler)
     if proof is None:
         return None
+    from verify.prover.multiple import from_fact  # loaded only where it is used
+
     lemma = session.ensure(simpler, proof)
-    return same(claim, lemma, tuple(name for name, _ in equations.values()))
+    return from_fact(session, claim, lemma, [name for name, _ in equations.values()])
 
 
 def _equations(tight: Tight, part: Term, turns: Fraction) -> dict[Term, tuple[str, Term]]:

@@ -23,6 +23,7 @@ from verify.language.terms import (
 )
 from verify.prover.balls import fraction_of
 from verify.prover.clearing import TooLongError, coefficients, expanded, variables_in
+from verify.prover.multiple import scale
 from verify.prover.proof import Proof, Value, product_of
 from verify.prover.rules import Sum
 from verify.prover.search.question import Question
@@ -72,10 +73,7 @@ def _by_function(question: Question, p: fmpq_mpoly) -> Proof | None:
     claim = Claim(question.goal.claim.relation, *sides)
     if atom.op not in FUNCTIONS or claim == question.goal.claim:
         return None
-    shown = question.fact(claim)
-    if shown is None:
-        return None
-    return Sum(("goal", product_of(str(abs(factor)), shown)), question.using)
+    return question.from_fact(question.goal.claim, question.fact(claim), question.using)
 
 
 def _factor(question: Question, p: fmpq_mpoly, name: str) -> fmpq_mpoly | None:
@@ -115,7 +113,14 @@ def _with_bound(
         shown = question.fact(there)
     if shown is None:
         return None
-    return Sum(("goal", shown, product_of(value, fact)), question.using)
+    replaced = question.session.replaced(question.using)
+    whole, first, second = (scale(one, replaced) for one in (claim, there, known))
+    if whole is None or first is None or second is None:
+        return None
+    shares = str(whole / first), str(whole / second)
+    return Sum(
+        ("goal", product_of(shares[0], shown), product_of(shares[1], value, fact)), question.using
+    )
 
 
 def _positive(question: Question, part: fmpq_mpoly) -> Value | None:

@@ -29,7 +29,6 @@ from verify.prover.rules import (
     Law,
     Monotony,
     Sum,
-    same,
 )
 from verify.prover.search.laws import linear_parts, step_of
 from verify.prover.search.question import Question
@@ -66,8 +65,7 @@ def by_elementary(question: Question) -> Proof | None:
         return None
     if sides == [claim.lhs, claim.rhs] or not known.clears(sides, question.goal.context):
         return None
-    fact = question.fact(Claim(claim.relation, *sides))
-    return None if fact is None else same(claim, fact, (*normal.used,))
+    return question.from_fact(claim, question.fact(Claim(claim.relation, *sides)), normal.used)
 
 
 class Facts:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from verify.language.terms import Claim, Term, equal
 from verify.prover.clearing import outside_atoms
 from verify.prover.proof import Proof, Value
-from verify.prover.rules import Antisymmetry, Cases, Entry, Least, Sum, same
+from verify.prover.rules import Antisymmetry, Cases, Entry, Least, Sum
 from verify.prover.search.domain import Domain
 from verify.prover.search.positive import by_squares
 from verify.prover.search.question import Question
@@ -97,8 +97,7 @@ def by_known_entries(question: Question) -> Proof | None:
     sides = [outside_atoms(side, chosen, divisors=False) for side in (claim.lhs, claim.rhs)]
     if claim.key[1:] == tuple(sides):
         return None
-    fact = question.fact(Claim(claim.relation, *sides))
-    return None if fact is None else same(claim, fact, (*equations,))
+    return question.from_fact(claim, question.fact(Claim(claim.relation, *sides)), equations)
 
 
 def _known_entry(question: Question, term: Term) -> tuple[Term | None, str]:

@@ -20,7 +20,7 @@ from verify.language.terms import Claim, Term, as_term, equal, exp, log, nth_roo
 from verify.prover.balls import fraction_of
 from verify.prover.clearing import ROOTS, Clearing, TooLongError, atoms_of, index_of
 from verify.prover.proof import Proof, Value, power_of, product_of
-from verify.prover.rules import Antisymmetry, InRange, Interval, Law, Monotony, Sum, same
+from verify.prover.rules import Antisymmetry, InRange, Interval, Law, Monotony, Sum
 from verify.prover.search.question import Question
 from verify.prover.session import ZERO
 
@@ -46,8 +46,7 @@ def by_laws(question: Question) -> Proof | None:
     simpler = Claim(claim.relation, *(replaced(s, chosen) for s in (claim.lhs, claim.rhs)))
     if simpler == claim or not question.known.clears((simpler.lhs, simpler.rhs), laws.place):
         return None
-    fact = laws.fact(simpler)
-    return None if fact is None else same(claim, fact, (*laws.used,))
+    return question.from_fact(claim, laws.fact(simpler), laws.used)
 
 
 def by_products_of_logarithms(question: Question) -> Proof | None:

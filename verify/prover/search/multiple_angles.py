@@ -16,7 +16,7 @@ from verify.prover.balls import fraction_of
 from verify.prover.clearing import Clearing, atoms_of, outside_atoms
 from verify.prover.cosines import Relations, chebyshev
 from verify.prover.proof import Proof
-from verify.prover.rules import Sum, same
+from verify.prover.rules import Sum
 from verify.prover.search.question import Question
 from verify.prover.session import ZERO
 
@@ -43,9 +43,7 @@ def by_multiple_angles(question: Question) -> Proof | None:
     if sides == [claim.lhs, claim.rhs]:
         return None
     fact = question.fact(Claim(claim.relation, *sides))
-    if fact is None:
-        return None
-    return same(claim, fact, (*question.using, *equations.values()))
+    return question.from_fact(claim, fact, (*question.using, *equations.values()))
 
 
 def _families(question: Question, op: str) -> Iterator[tuple[Term, list[tuple[int, Term]]]]:

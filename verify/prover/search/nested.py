@@ -75,7 +75,7 @@ class Nested:
         if equations is None:
             return None
         fact = question.session.lemma(self.claim, proof, place)
-        return Sum(("goal", fact), (*equations, *question.using))
+        return question.from_fact(question.goal.claim, fact, (*equations, *question.using))
 
     def equations(self) -> list[str] | None:
         """Facts that functions in the claim are those in its nested form; None if one fails."""

@@ -15,7 +15,7 @@ from verify.language.terms import Claim, Term, names_of, symbol
 from verify.prover.clearing import Clearing, inner_first, through
 from verify.prover.goal import Goal, definitions_below
 from verify.prover.points import failure_test, refuting_point, simple_points
-from verify.prover.proof import Value
+from verify.prover.proof import Proof, Value
 from verify.prover.rules import Entry
 from verify.prover.search.domain import Domain
 from verify.prover.session import ZERO
@@ -247,6 +247,14 @@ class Question:
             return found if cleared else None
         finally:
             known.depth = depth
+
+    def from_fact(self, claim: Claim, fact: str | None, using: Iterable[str] = ()) -> Proof | None:
+        """A proof of a claim from a fact of which it is a positive multiple; else None."""
+        if fact is None:
+            return None
+        from verify.prover.multiple import from_fact  # loaded only where it is used
+
+        return from_fact(self.session, claim, fact, (*using,), self.is_negative)
 
     def lemma(self, relation: str, polynomial: fmpq_mpoly, term: Term) -> Value | None:
         """The value of a fact 0 < p or 0 <= p, where the polynomial p is written as a term."""

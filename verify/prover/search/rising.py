@@ -76,8 +76,9 @@ def by_same_arguments(question: Question) -> Proof | None:
     if not chosen:
         return None
     sides = [replaced(side, chosen) for side in (claim.lhs, claim.rhs)]
-    fact = question.fact(Claim(claim.relation, *sides))
-    return None if fact is None else Sum(("goal", fact), tuple(equations.values()))
+    return question.from_fact(
+        claim, question.fact(Claim(claim.relation, *sides)), equations.values()
+    )
 
 
 def _same(seen: dict[tuple[str, object, str], Term], atom: Term) -> Term | None:

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from fractions import Fraction
 
 from verify.language.fold import replaced
-from verify.language.terms import Claim, Term, as_term, equal, names_of, parts_of, symbol
-from verify.prover.balls import fraction_of
-from verify.prover.clearing import Clearing, atoms_of, inner_first
-from verify.prover.proof import Proof, product_of
+from verify.language.terms import Claim, Term, equal, names_of, parts_of, symbol
+from verify.prover.clearing import atoms_of, inner_first
+from verify.prover.proof import Proof
 from verify.prover.rules import Antisymmetry, Monotony, Sum
 from verify.prover.search.laws import Laws
 from verify.prover.search.question import Question
@@ -38,36 +36,16 @@ def by_definitions(question: Question) -> Proof | None:
     if any(part.op not in RISING for part in of_constants):
         return None
     values = _written_out(question)
-    outside = _with(claim, {part: replaced(part, values) for part in of_constants})
     simpler = _with(claim, values)
     if not laws.clears(simpler.lhs, simpler.rhs) or (fact := laws.fact(simpler)) is None:
         return None
-    factor = _factor(outside, simpler, values, question)
-    if factor is None:
-        return None
     for part in of_constants:
         _equate(laws, part, replaced(part, values), question.using)
-    using = (*question.using, *laws.used)
-    if claim.relation == "=":
-        return Sum((), using, ((fact, as_term(factor)),))
-    return Sum(("goal", product_of(str(factor), fact)), using) if factor > 0 else None
+    return question.from_fact(claim, fact, (*question.using, *laws.used))
 
 
 def _with(claim: Claim, values: Mapping[Term, Term]) -> Claim:
     return Claim(claim.relation, *(replaced(side, values) for side in (claim.lhs, claim.rhs)))
-
-
-def _factor(
-    claim: Claim, other: Claim, values: Mapping[Term, Term], question: Question
-) -> Fraction | None:
-    """How many times the other claim is this one, once the divisors are gone; None if not so."""
-    sides = (claim.lhs, claim.rhs, other.lhs, other.rhs)
-    clearing = Clearing(sides, values, question.is_negative)
-    p, q = clearing.difference(*sides[:2]), clearing.difference(*sides[2:])
-    if p.is_zero() or q.is_zero():
-        return Fraction(1) if p == q else None
-    ratio = p.leading_coefficient() / q.leading_coefficient()
-    return fraction_of(ratio) if p == ratio * q else None
 
 
 def _written_out(question: Question) -> dict[Term, Term]:

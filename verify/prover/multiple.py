@@ -1,0 +1,50 @@
+"""A claim that is a fact times a positive number, once equations are used and divisors are gone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+
+from verify.language.terms import Claim, Term, as_term
+from verify.prover.balls import fraction_of
+from verify.prover.clearing import Clearing
+from verify.prover.proof import product_of
+from verify.prover.rules import Sum
+from verify.prover.session import Session
+
+
+def scale(claim: Claim, replaced: Mapping[Term, Term]) -> Fraction | None:
+    """By which number the checker multiplies the difference of the sides; None if by a term."""
+    clearing = Clearing(claim.key[1:], replaced)
+    (_, d), (_, e) = (clearing.clear(side) for side in (claim.lhs, claim.rhs))
+    whole = d * e
+    return fraction_of(whole.leading_coefficient()) if whole.is_constant() else None
+
+
+def from_fact(
+    session: Session,
+    claim: Claim,
+    fact: str,
+    using: Sequence[str] = (),
+    is_negative: Callable[[Term], bool] | None = None,
+) -> Sum | None:
+    """A proof of a claim from a fact; None if it is no multiple of it as the checker reads both.
+
+    Raises:
+        TooLongError: if expanding both is too much work.
+    """
+    other = session.claims[fact]
+    sides = (claim.lhs, claim.rhs, other.lhs, other.rhs)
+    clearing = Clearing(sides, session.replaced(using), is_negative)
+    differences = [clearing.difference(*pair) for pair in (sides[:2], sides[2:])]
+    p, q = clearing.reduced(differences)
+    if p.is_zero() or q.is_zero():
+        ratio = Fraction(1) if p == q else None
+    else:
+        leading = p.leading_coefficient() / q.leading_coefficient()
+        ratio = fraction_of(leading) if p == leading * q else None
+    if ratio is None:
+        return None
+    if claim.relation == "=":
+        return Sum((), (*using,), ((fact, as_term(ratio)),))
+    return Sum(("goal", product_of(str(ratio), fact)), (*using,)) if ratio > 0 else None

@@ -10,6 +10,7 @@ of positions and velocities ``particles = "state.csv"`` names a file that has th
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from itertools import combinations, product
@@ -136,22 +137,35 @@ def _restitutions(
     given = table[key]
     if not isinstance(given, dict):
         return _coefficient(f"{where}: {key}", given), {}
-    pairs = {name_of(i, j): (i, j) for i, j in combinations(range(number), 2)}
     own = {name: value for name, value in given.items() if name != OTHERS}
     if {*own} == {pair_name(i, j) for i, j in PAIRS} and number == len(PAIRS):
         own = {f"{name[0]}-{name[1]}": value for name, value in own.items()}
-    for name in own:
-        if name not in pairs:
+    pairs = {name: _pair(name, number) for name in own}
+    for name, pair in pairs.items():
+        if not pair:
             raise InputError(
                 f"{where}: {key}: {shown(name)} is no pair; write two numbers of particles, the "
                 f'smaller one first, like "0-1", or "{OTHERS}"'
             )
-    found = {pairs[name]: _coefficient(f"{where}: {key} of {name}", own[name]) for name in own}
+    found = {
+        pair: _coefficient(f"{where}: {key} of {name}", own[name])
+        for name, pair in pairs.items()
+        if pair
+    }
     if OTHERS in given:
         return _coefficient(f"{where}: {key} of {OTHERS}", given[OTHERS]), found
-    if len(found) < len(pairs) or not found:
+    if len(found) < number * (number - 1) // 2 or not found:
         raise InputError(f'{where}: {key}: not all pairs have one; write "{OTHERS}" = "0.9", too')
     return max(found.values()), found
+
+
+def _pair(name: str, number: int) -> tuple[int, int] | None:
+    """The pair that is written so, like 3-12; None if none is."""
+    parts = name.split("-")
+    if len(parts) != 2 or not all(re.fullmatch("[0-9]{1,9}", part) for part in parts):
+        return None
+    i, j = map(int, parts)
+    return (i, j) if i < j < number and name == name_of(i, j) else None
 
 
 def _vector(where: str, key: str, given: Any) -> tuple[Fraction, ...]:

@@ -69,9 +69,9 @@ def _write_three(out: str, found: Ending, limits: Budget) -> tuple[str | None, s
     title = f"balls {names} at {time}, seen from the first"
     content = scene_text(found.scene, title[:80]).encode()
     path, folder = os.path.join(out, FILE), os.path.join(out, FOLDER)
-    write_all("--out", out, {FILE: content})
     fate = decide_scene(read_scene(path, content), limits)
     missing = write_scene("--out", folder, fate)
+    write_all("--out", out, {FILE: content})
     if missing:
         return None, f"{path} has the three; no certificate: {missing}"
     return folder, (

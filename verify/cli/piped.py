@@ -26,7 +26,7 @@ def piped() -> tuple[str, bytes]:
 
 
 def _format(content: bytes) -> str:
-    """The format by the first sign behind comments: no page of constants begins with one of these."""
+    """The format by the first sign: no page of constants begins with one of these."""
     content = content.removeprefix(BOM_UTF8)
     first = content.lstrip()[:1]
     if first in (b"(", b";"):

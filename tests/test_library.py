@@ -173,6 +173,8 @@ def test_what_is_no_exact_number_is_refused() -> None:
                 at("0.03", bits=odd)  # type: ignore[operator]
         with pytest.raises(TypeError, match="r is a NoneType"):
             at(None)  # type: ignore[operator]
+    with pytest.raises(TypeError, match="theta0 is a float"):
+        theorem1.at("0.03", theta0=3.0)  # type: ignore[arg-type]
     with pytest.raises(InputError, match="below bits"):
         theorem1.at("0.03", bits=256, max_bits=128)
     with pytest.raises(TypeError, match="V0 is a NoneType"):

@@ -68,8 +68,9 @@ def at(
         name: None if name == "neg_cos" and v is None else exact_text(name, v)  # type: ignore[arg-type]
         for name, v in given.items()
     }
+    angle = None if theta0 is None else exact_text("theta0", theta0)
     bits, max_bits = (exact_bits(*p, 1 << 16) for p in (("bits", bits), ("max_bits", max_bits)))
     if max_bits < bits:
         raise InputError(f"max_bits: {max_bits} is below bits, {bits}; write at least {bits}")
-    parameters = read_parameters(Options(theta0=theta0, **texts))
+    parameters = read_parameters(Options(theta0=angle, **texts))
     return Point(*decide_point(parameters, "all", bits, max_bits, all_sides=True))

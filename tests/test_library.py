@@ -163,6 +163,22 @@ def test_what_is_no_exact_number_is_refused() -> None:
             at(0.03)  # type: ignore[operator]
         with pytest.raises(InputError, match="not in"):
             at("1.5")  # type: ignore[operator]
+        with pytest.raises(InputError, match=r"digits|characters"):
+            at(10**5000)  # type: ignore[operator]
+        for bits in (0, -1, 1, 10**9):
+            with pytest.raises(InputError, match="bits: has to be from 2"):
+                at("0.03", bits=bits)  # type: ignore[operator]
+        for odd in ("128", 128.5, True, None):
+            with pytest.raises(TypeError, match="bits is a"):
+                at("0.03", bits=odd)  # type: ignore[operator]
+        with pytest.raises(TypeError, match="r is a NoneType"):
+            at(None)  # type: ignore[operator]
+    with pytest.raises(TypeError, match="theta0 is a float"):
+        theorem1.at("0.03", theta0=3.0)  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="below bits"):
+        theorem1.at("0.03", bits=256, max_bits=128)
+    with pytest.raises(TypeError, match="V0 is a NoneType"):
+        theorem1.at("0.03", V_0=None)  # type: ignore[arg-type]
     with pytest.raises(InputError, match="both give the angle"):
         theorem1.at("0.03", theta0="pi", neg_cos=1)
 

@@ -102,7 +102,24 @@ def exact_text(name: str, value: str | int | Fraction) -> str:
     if isinstance(value, bool) or not isinstance(value, str | int | Fraction):
         what = type(value).__name__
         raise TypeError(f"{name} is a {what}; write a text such as '0.03', or a Fraction")
-    return str(value)
+    try:
+        return str(value)
+    except ValueError as error:  # more digits than Python writes
+        raise InputError(f"{name}: has too many digits; write fewer than 4300") from error
+
+
+def exact_bits(name: str, value: int, most: int) -> int:
+    """A precision, as the commands take it.
+
+    Raises:
+        TypeError: for what is no integer.
+        InputError: if it is too small, or too large to wait for.
+    """
+    if isinstance(value, bool) or not isinstance(value, int):
+        raise TypeError(f"{name} is a {type(value).__name__}; write an integer such as 128")
+    if not 2 <= value <= most:
+        raise InputError(f"{name}: has to be from 2 to {most}")
+    return value
 
 
 # --- the parts of a statement --------------------------------------------------------------------

@@ -11,12 +11,13 @@ from fractions import Fraction
 from verify.cli.options import Options
 from verify.cli.theorem1_point import read_parameters
 from verify.language.statement import PRINTED, REFUTED
-from verify.library import Interval, Result, exact_text
+from verify.library import Interval, Result, exact_bits, exact_text
 from verify.paper.commands.citing import as_printed
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.source import PAPER
 from verify.views.point import screen
 from verify.views.words import fair
+from verify.wire.inputs import InputError
 
 
 class Point(Result):
@@ -59,10 +60,17 @@ def at(
     integer or a fraction. ``bits`` is the precision of the first try, ``max_bits`` of the last one.
 
     Raises:
-        TypeError: for a float.
+        TypeError: for a float, or what is no number.
         InputError: for a number outside its range, or two angles.
     """
     given = {"r": r, "neg_cos": neg_cos, "delta_theta": delta_theta, "V0": V_0}
-    texts = {name: None if v is None else exact_text(name, v) for name, v in given.items()}
-    parameters = read_parameters(Options(theta0=theta0, **texts))
+    texts = {
+        name: None if name == "neg_cos" and v is None else exact_text(name, v)  # type: ignore[arg-type]
+        for name, v in given.items()
+    }
+    angle = None if theta0 is None else exact_text("theta0", theta0)
+    bits, max_bits = (exact_bits(*p, 1 << 16) for p in (("bits", bits), ("max_bits", max_bits)))
+    if max_bits < bits:
+        raise InputError(f"max_bits: {max_bits} is below bits, {bits}; write at least {bits}")
+    parameters = read_parameters(Options(theta0=angle, **texts))
     return Point(*decide_point(parameters, "all", bits, max_bits, all_sides=True))

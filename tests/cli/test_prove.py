@@ -498,6 +498,18 @@ def test_a_statement_is_piped_in(kind: str, tmp_path: Path) -> None:
     assert check.check_folders(check.read_folders([str(tmp_path / "out")]))[0] == done.returncode
 
 
+@pytest.mark.parametrize(
+    ("content", "code"),
+    [
+        (b"\xef\xbb\xbf" + PIPED["smt2"].encode(), 0),
+        (b"; no (FPCore\n" + PIPED["smt2"].encode(), 0),
+        (b"; a comment\n\n ( FPCore (x) :pre (<= 1 x 2) (sqrt x))", 0),
+    ],
+)
+def test_signs_and_comments_before_what_is_piped_in_do_not_count(content: bytes, code: int) -> None:
+    assert piping(content).returncode == code
+
+
 def test_what_is_piped_in_may_be_unusable() -> None:
     for content in (b"", b"\xff", b"title = 3", b"[rows", b"x" * (files.MAX_BYTES + 1)):
         done = piping(content)

@@ -77,6 +77,36 @@ def test_five_beads_and_the_three_that_collapse(
     assert since + Fraction(three["time"][0]) <= high
 
 
+def test_a_folder_that_cannot_be_written_is_named_before_any_file_is(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "out" / "three").mkdir(parents=True)
+    (tmp_path / "out" / "three" / "mine").touch()
+    code, out, err = run(capsys, written(tmp_path, BEADS), "--out", str(tmp_path / "out"))
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert [path.name for path in (tmp_path / "out").iterdir()] == ["three"]
+
+
+def test_where_nothing_ever_meets_no_larger_budget_is_proposed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = written(
+        tmp_path, 'r = "0.1"\nbox = [9]\npositions = [[0], [3]]\nvelocities = [[1], [1]]\n'
+    )
+    for words, remedy in (([], "--until T"), (["--until", "9999"], "a smaller --until")):
+        code, out, _ = run(capsys, path, *words)
+        assert (code, f"write {remedy}" in out) == (3, True)
+
+
+def test_the_pair_that_has_a_coefficient_of_its_own_is_not_sought_among_all(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    rows = BEADS.replace('r = "0.03"', 'restitution = {"others" = "0.9", "PAIR" = "0.5"}')
+    for pair in ("1-0", "0-5", "00-1", "0-0", "0", "0-1-2", "-1", "٠-1", "0-" + "1" * 99):
+        code, _, err = run(capsys, written(tmp_path, rows.replace("PAIR", pair)))
+        assert (code, "is no pair" in err) == (2, True), pair
+
+
 def test_a_table_of_collisions(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     table = tmp_path / "events.csv"
     code, out, _ = run(capsys, written(tmp_path, BEADS), "--until", "3/8", "--csv", str(table))

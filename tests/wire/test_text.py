@@ -434,6 +434,22 @@ def test_what_is_said_of_a_mistake(old: str, new: str, says: str) -> None:
 
 
 @pytest.mark.parametrize(
+    "variables",
+    [
+        *('{ x = "0..1" }', '{ x = "[0, 1]" }', '{ x = "real" }', '{ x = "(0, oo)" }'),
+        *('{ x = "> 0" }', '{ x = "0 < x" }', '{ x = "3/4" }', '{ x = "ℝ" }', '{ x = "Integers" }'),
+        *('{ x = ["0..1", "y"] }', '{ x = { letter = "x ≥ 0" } }', '"x: 0..1"', '"y, x: > 0"'),
+        '{ x = "" }',
+    ],
+)
+def test_what_is_known_of_a_variable_is_no_letter(variables: str) -> None:
+    """A range in the place of a letter was taken for one, and the claim refuted outside of it."""
+    rows = '[contexts.c.rows]\nr = "x^2 <= x"\n'
+    with pytest.raises(InputError, match="is no letter of x"):
+        read(f'title = "t"\n[contexts.c]\nvariables = {variables}\n{rows}')
+
+
+@pytest.mark.parametrize(
     ("claim", "says"),
     [
         ("x(1) < 2", "write x*(...)"),

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import sys
+from codecs import BOM_UTF8
 
 from verify.cli.files import MAX_BYTES
 from verify.wire.inputs import InputError
@@ -25,7 +27,9 @@ def piped() -> tuple[str, bytes]:
 
 def _format(content: bytes) -> str:
     """The format by the first sign: no page of constants begins with one of these."""
+    content = content.removeprefix(BOM_UTF8)
     first = content.lstrip()[:1]
     if first in (b"(", b";"):
-        return "fpcore" if b"(FPCore" in content else "smt2"
+        start = re.match(rb"(\s|;[^\n]*\n)*\(\s*FPCore", content)
+        return "fpcore" if start else "smt2"
     return "json" if first == b"{" else "toml"

@@ -6,7 +6,7 @@ import os
 from fractions import Fraction
 from typing import Any
 
-from verify.cli.files import print_document, test_folder, write_all, write_file
+from verify.cli.files import CERTIFICATE, print_document, test_folder, write_all, write_file
 from verify.cli.options import Options, leave_out
 from verify.cli.scene_certificate import write_scene
 from verify.cli.steps import watched
@@ -40,6 +40,8 @@ def run_many(
     leave_out(options, others, "it is for a scene of three particles; leave it out")
     system = system_from(options.scene, table)
     test_folder("--out", options.out, FILE)
+    if options.out is not None:
+        test_folder("--out", os.path.join(options.out, FOLDER), *sorted(CERTIFICATE))
     found = decide_system(system, limits, until, watched)
     if options.csv is not None:
         write_file("--csv", options.csv, csv_text(event_rows(found)))
@@ -67,9 +69,9 @@ def _write_three(out: str, found: Ending, limits: Budget) -> tuple[str | None, s
     title = f"balls {names} at {time}, seen from the first"
     content = scene_text(found.scene, title[:80]).encode()
     path, folder = os.path.join(out, FILE), os.path.join(out, FOLDER)
-    write_all("--out", out, {FILE: content})
     fate = decide_scene(read_scene(path, content), limits)
     missing = write_scene("--out", folder, fate)
+    write_all("--out", out, {FILE: content})
     if missing:
         return None, f"{path} has the three; no certificate: {missing}"
     return folder, (

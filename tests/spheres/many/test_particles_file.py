@@ -60,6 +60,11 @@ def test_without_periods(tmp_path: Path) -> None:
     assert read(tmp_path, "a.dump", DUMP.replace("pp pp pp", "ff ff ff")).box == ()
 
 
+def test_other_keys_of_extended_xyz_and_words_are_not_read(tmp_path: Path) -> None:
+    more = 'Time=3 a-pbc="F F F" b="pbc=F" free_energy=-1.5e3 relaxed'
+    assert read(tmp_path, "a.xyz", XYZ.replace("Time=3", more)) == read(tmp_path, "a.xyz", XYZ)
+
+
 def test_a_third_coordinate_is_left_out_only_where_it_stays_0(tmp_path: Path) -> None:
     assert read(tmp_path, "a.dump", DUMP.replace("pp pp pp", "ff ff ff")).dimension == 2
     moving = DUMP.replace("pp pp pp", "ff ff ff").replace("-0.3 0 0 2", "-0.3 0 0.5 2")
@@ -87,6 +92,14 @@ BAD = {
     "moments": ("a.dump", DUMP + DUMP, "", "one moment and no more"),
     "empty": ("a.csv", "", "", "not a velocity for each"),
     "cut": ("a.dump", "ITEM: TIMESTEP\n", "", "line 3: has to begin with"),
+    "blank": ("a.csv", CSV.replace("2,1.5", "\n\n2,1.5a"), "", "line 5: x: '1.5a'"),
+    "sizes": ("a.csv", CSV.replace("mass", "radius"), "", "line 1: has a column radius and"),
+    "spaced": ("a.xyz", XYZ.replace("Time=3", 'pbc = "F F F"'), "", "without spaces around ="),
+    "letters": ("a.xyz", XYZ.replace("Time=3", 'PBC="F F F"'), "", "line 2: write each of"),
+    "lattice": ("a.xyz", XYZ.replace("Lattice", "lattice"), "", "line 2: write each of"),
+    "again": ("a.xyz", XYZ.replace("Time=3", 'Lattice="9 0 0 0 9 0 0 0 9"'), "", "at most once"),
+    "quotes": ("a.xyz", XYZ.replace("Time=3", "a='pbc=T T'"), "", "line 2: write each of"),
+    "glued": ("a.xyz", XYZ.replace('7" P', '7"P'), "", "line 2: write each of"),
     "nobody": ("a.xyz", "0\n", "", "line 1: '0' is not the number"),
 }
 

@@ -142,7 +142,8 @@ class Run:
                 if self.until is not None and self.until < self.queue.limit:
                     self.found = self._end(FOLLOWED, UNTIL, "the time was reached")
                 elif empty >= EMPTY:
-                    self.found = self._spent("collisions, and then long none")
+                    sooner = "--until T" if self.until is None else "a smaller --until"
+                    self.found = self._spent("collisions, and then long none", sooner)
                 else:
                     self.queue.renew()
             elif self._is_late(events):
@@ -308,9 +309,8 @@ class Run:
                 return end._replace(scene=scene, since=balls.as_fraction(time))
         return end
 
-    def _spent(self, words: str) -> Ending:
-        count = len(self.contacts)
-        says = f"budget: {count} {words}; write a larger --collisions"
+    def _spent(self, words: str, remedy: str = "a larger --collisions") -> Ending:
+        says = f"budget: {len(self.contacts)} {words}; write {remedy}"
         return self._end(UNDECIDED, BUDGET, says)
 
     def _end(self, verdict: str, why: str, says: str) -> Ending:

@@ -30,13 +30,17 @@ PROPERTIES = {
     **dict.fromkeys(("mass", "masses"), MASS),
     **dict.fromkeys(("radius", "radii"), RADIUS),
 }
+#: A key of extended XYZ with its value, and the keys that are used.
+KEY = r"""(?<!\S)([^\s="]+)=(?:"([^"]*)"(?!\S)|([^"\s]\S*))"""
+USED = ("Lattice", "Properties", "pbc")
+LOWER = frozenset(key.lower() for key in USED)
 
 
 class Rows(Record):
-    """The columns of a file with their names, the first line of them, and the periods, if any."""
+    """The columns of a file, each row with its line, their names, the line before, any periods."""
 
     names: Sequence[str]
-    rows: Sequence[Sequence[str]]
+    rows: Sequence[tuple[int, Sequence[str]]]
     line: int
     box: Sequence[Fraction] = ()
 
@@ -61,7 +65,7 @@ def with_particles(where: str, table: Mapping[str, Any]) -> dict[str, Any]:
         raise InputError(f"{where}: {PARTICLES}: {name} cannot be read ({reason})") from error
     read = {CSV: _csv, XYZ: _xyz, DUMP: _dump}
     (reader,) = (read[ends] for ends in read if os.path.splitext(name)[1] in ends)
-    found = _entries(path, reader(path, text.splitlines()))
+    found = _entries(path, reader(path, re.split("\r\n|\r|\n", text)))
     rest = {key: value for key, value in table.items() if key != PARTICLES}
     both = sorted(rest.keys() & found.keys())
     if both:
@@ -75,10 +79,15 @@ def _entries(path: str, found: Rows) -> dict[str, Any]:
     places = next((row for row in PLACES if row[0] in names), PLACES[0])
     used = {*places, *VELOCITIES, MASS, RADIUS, DIAMETER}
     odd = [name for name in names if name not in used | UNUSED]
+    if {RADIUS, DIAMETER} <= {*names}:
+        raise InputError(
+            f"{path}: line {found.line}: has a column {RADIUS} and a column {DIAMETER}; leave one "
+            "of them out"
+        )
     if odd or len({*names}) < len(names):
         odd = odd or [name for name in names if names.count(name) > 1]
         raise InputError(
-            f"{path}: line {found.line - 1}: the column {shown(odd[0])} is not known, or there "
+            f"{path}: line {found.line}: the column {shown(odd[0])} is not known, or there "
             f"twice; columns are {', '.join((*PLACES[0], *VELOCITIES, MASS, RADIUS, DIAMETER))}"
         )
     dimension = sum(name in names for name in places)
@@ -86,14 +95,13 @@ def _entries(path: str, found: Rows) -> dict[str, Any]:
     if not dimension or any((x in names) != (v in names) or (x in names) != (k < dimension)
                             for k, (x, v) in enumerate(pairs)):  # fmt: skip
         raise InputError(
-            f"{path}: line {found.line - 1}: has not a velocity for each coordinate; write x with "
+            f"{path}: line {found.line}: has not a velocity for each coordinate; write x with "
             "vx, y with vy, z with vz"
         )
 
     def column(name: str) -> list[Fraction]:
         k = names.index(name)
-        return [number_in(f"{path}: line {found.line + n}: {name}", row[k])
-                for n, row in enumerate(found.rows)]  # fmt: skip
+        return [number_in(f"{path}: line {n}: {name}", row[k]) for n, row in found.rows]
 
     x, v = ([column(name) for name in row[:dimension]] for row in (places, VELOCITIES))
     box = list(found.box[:dimension])
@@ -112,21 +120,23 @@ def _entries(path: str, found: Rows) -> dict[str, Any]:
 
 def _split(path: str, lines: Sequence[str], line: int, names: Sequence[str], sign: str | None = None
            ) -> Rows:  # fmt: skip
-    """The lines from this one on, each with as many words as there are names."""
+    """The lines from this one on, each with as many words as names; a CSV may have blank ones."""
     rows = []
     for n, text in enumerate(lines, line):
+        if sign and not text.strip():
+            continue
         words = [word.strip() for word in text.split(sign)]
         if len(words) != len(names):
             raise InputError(
                 f"{path}: line {n}: has {len(words)} columns, and the names are {len(names)}"
             )
-        rows.append(words)
-    return Rows(names, rows, line)
+        rows.append((n, words))
+    return Rows(names, rows, line - 1)
 
 
 def _csv(path: str, lines: Sequence[str]) -> Rows:
-    names = [name.strip() for name in lines[0].split(",")] if lines else []
-    return _split(path, [text for text in lines[1:] if text.strip()], 2, names, ",")
+    names = [name.strip() for name in lines[0].split(",")] if lines[0].strip() else []
+    return _split(path, lines[1:], 2, names, ",")
 
 
 def _count(path: str, lines: Sequence[str], line: int, first: int) -> list[str]:
@@ -143,11 +153,27 @@ def _count(path: str, lines: Sequence[str], line: int, first: int) -> list[str]:
     return rest
 
 
+def _keys(path: str, text: str) -> dict[str, str]:
+    """The keys of extended XYZ with their values; none of those that are used stands there twice.
+
+    Raises:
+        InputError: also where a key that is used is written in another way.
+    """
+    pairs = re.findall(KEY, text)
+    used = [key for key, _, _ in pairs if key.lower() in LOWER]
+    rest = re.sub(KEY, "", text)
+    if re.search("""[]="'{}[]""", rest) or {*used} - {*USED} or len({*used}) < len(used):
+        raise InputError(
+            f"{path}: line 2: write each of {', '.join(USED)} at most once, and like this: "
+            'name=value, or name="several values", without spaces around ='
+        )
+    return {key: quoted or plain for key, quoted, plain in pairs}
+
+
 def _xyz(path: str, lines: Sequence[str]) -> Rows:
     """Extended XYZ: a number, keys with values, and the particles."""
     rest = _count(path, lines, 1, 3)
-    given = {key: quoted or plain for key, quoted, plain in
-             re.findall(r'(\w+)=(?:"([^"]*)"|(\S+))', lines[1])}  # fmt: skip
+    given = _keys(path, lines[1])
     parts = given.get("Properties", "").split(":")
     if len(parts) % 3 or len(parts) < 3:
         raise InputError(f"{path}: line 2: write Properties=species:S:1:pos:R:3:velo:R:3")

@@ -10,6 +10,7 @@ of positions and velocities ``particles = "state.csv"`` names a file that has th
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from itertools import product
@@ -145,7 +146,7 @@ def _restitutions(
         own = {f"{name[0]}-{name[1]}": value for name, value in own.items()}
     pairs = {name: _pair(name, number) for name in own}
     for name, pair in pairs.items():
-        if pair is None:
+        if not pair:
             raise InputError(
                 f"{where}: {key}: {shown(name)} is no pair; write two numbers of particles, the "
                 f'smaller one first, like "0-1", or "{OTHERS}"'
@@ -153,7 +154,7 @@ def _restitutions(
     found = {
         pair: _coefficient(f"{where}: {key} of {name}", own[name])
         for name, pair in pairs.items()
-        if pair is not None
+        if pair
     }
     if OTHERS in given:
         return _coefficient(f"{where}: {key} of {OTHERS}", given[OTHERS]), found
@@ -163,11 +164,9 @@ def _restitutions(
 
 
 def _pair(name: str, number: int) -> tuple[int, int] | None:
-    """The two numbers in a name like 3-12, the smaller one first; None if it has not got that."""
+    """The pair that is written so, like 3-12; None if none is."""
     parts = name.split("-")
-    if len(parts) != 2 or not all(part.isascii() and part.isdigit() for part in parts):
-        return None
-    if any(len(part) > len(str(number)) for part in parts):
+    if len(parts) != 2 or not all(re.fullmatch("[0-9]{1,9}", part) for part in parts):
         return None
     i, j = map(int, parts)
     return (i, j) if i < j < number and name == name_of(i, j) else None

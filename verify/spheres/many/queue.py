@@ -287,8 +287,12 @@ def check_apart(motion: Motion, before: dict[int, Ball], events: Sequence[Event]
     """
     time = reduce(balls.hull, (balls.as_ball(event.time) for event in events))
     paths = {k: _path(motion.balls[k], ball, time) for k, ball in before.items()}
+    spans = {k: _spans(motion, k, path) for k, path in paths.items()}
     for one, two in combinations(events, 2):
         for i, j in product(one.members, two.members):
+            both = zip(spans[i], spans[j], strict=True)
+            if any(a[1] < b[0] or b[1] < a[0] for a, b in both):
+                continue
             difference = [b - a for a, b in zip(paths[i], paths[j], strict=True)]
             square = balls.exact(motion.system.contact(i, j) ** 2)
             for place in near_images(motion, difference):
@@ -306,6 +310,14 @@ def _path(after: Ball, before: Ball, time: Number) -> list[Number]:
         for way in (before, after)
     )
     return [balls.hull(a, b) for a, b in zip(*ways, strict=True)]
+
+
+def _spans(motion: Motion, i: int, path: Sequence[Number]) -> list[tuple[float, float]]:
+    """Between which floats all of a ball is in each coordinate; nothing is said in a box."""
+    if motion.box:
+        return [(-math.inf, math.inf)] * len(path)
+    radius = balls.exact(motion.system.radii[i])
+    return [(below(a - radius), above(a + radius)) for a in path]
 
 
 def near_images(motion: Motion, difference: Sequence[Number]) -> Iterator[list[Number]]:

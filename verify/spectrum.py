@@ -6,39 +6,17 @@ It is loaded when it is used.
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
-from verify.language.record import Record
 from verify.library import Interval, exact_bits, exact_text
 from verify.paper.commands import eigenvalues
 from verify.prover import balls
 from verify.prover.balls import Ball
 from verify.spheres.parameters import restitution
-from verify.views.findings import Complex
+from verify.views.findings import Rectangle, Spectrum
 from verify.views.spectrum import EXTRA_BITS
 
-
-class Rectangle(Record):
-    """Enclosures of the real and the imaginary part of a complex number."""
-
-    real: Interval
-    imaginary: Interval
-
-
-class Spectrum(Record):
-    """The eigenvalues beside 1, and eigenvectors with first coordinate 1.
-
-    ``exact`` is lambda_0 where it is rational; ``plus`` is the complex eigenvalue with positive
-    imaginary part, with its modulus and its argument; its conjugate is the last one.
-    """
-
-    r: Fraction
-    exact: Fraction | None
-    lambda_0: Interval
-    plus: Rectangle
-    modulus: Interval
-    argument: Interval
-    vector_0: tuple[Interval, ...]
-    vector_plus: tuple[Rectangle, ...]
+__all__ = ["Rectangle", "Spectrum", "at"]
 
 
 def at(r: str | int | Fraction, *, bits: int = 128) -> Spectrum:
@@ -49,24 +27,15 @@ def at(r: str | int | Fraction, *, bits: int = 128) -> Spectrum:
         InputError: for a number that is not in (0, 1).
     """
     bits = exact_bits("bits", bits, 1 << 22)
-    exact_r = restitution(exact_text("r", r))
-    found = eigenvalues.at(exact_r, bits)
+    found = eigenvalues.at(restitution(exact_text("r", r)), bits)
     with balls.precision(bits + EXTRA_BITS):  # at which the ends of balls are rounded
-        return Spectrum(
-            exact_r,
-            found.exact,
-            _interval(found.lambda_0),
-            _rectangle(found.plus),
-            _interval(found.modulus),
-            _interval(found.argument),
-            tuple(map(_interval, found.vector_0)),
-            tuple(map(_rectangle, found.vector_plus)),
-        )
+        return Spectrum(*map(_intervals, found))
 
 
-def _interval(ball: Ball) -> Interval:
-    return Interval(*balls.ends(ball))
-
-
-def _rectangle(value: Complex) -> Rectangle:
-    return Rectangle(_interval(value.re), _interval(value.im))
+def _intervals(part: Any) -> Any:
+    """A part of a spectrum with intervals in place of its balls."""
+    if isinstance(part, Ball):
+        return Interval(*balls.ends(part))
+    if not isinstance(part, tuple):
+        return part
+    return getattr(part, "_make", tuple)(map(_intervals, part))

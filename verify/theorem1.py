@@ -8,13 +8,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from verify.cli.options import Options
-from verify.cli.theorem1_point import read_parameters
 from verify.language.statement import PRINTED, REFUTED
 from verify.library import Interval, Result, exact_bits, exact_text
 from verify.paper.commands.citing import as_printed
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.source import PAPER
+from verify.spheres.parameters import read_parameters
 from verify.views.point import screen
 from verify.views.words import fair
 from verify.wire.inputs import InputError
@@ -72,5 +71,5 @@ def at(
     bits, max_bits = (exact_bits(*p, 1 << 16) for p in (("bits", bits), ("max_bits", max_bits)))
     if max_bits < bits:
         raise InputError(f"max_bits: {max_bits} is below bits, {bits}; write at least {bits}")
-    parameters = read_parameters(Options(theta0=angle, **texts))
+    parameters = read_parameters({"theta0": angle, **texts})
     return Point(*decide_point(parameters, "all", bits, max_bits, all_sides=True))

@@ -98,14 +98,9 @@ def _parameters(options: Options) -> Mapping[str, Term] | None:
         for name in (name for name, value in given.items() if value is not None):
             raise InputError(f"{name}: is for a point; write --r too")
         return None
-    from verify.cli.theorem1_point import (
-        DEFAULTS,
-        read_parameters,
-    )  # loaded only where they are used
+    from verify.spheres.parameters import read_parameters  # loaded only where it is used
 
-    values = {field(name): value for name, value in given.items() if value is not None}
-    missing = {field(name): DEFAULTS.get(field(name)) for name in given}
-    return read_parameters(Options(**(missing | values)))
+    return read_parameters({field(name): value for name, value in given.items()})
 
 
 def _inside(folder: str, outcome: Outcome, word: str, options: Options) -> list[str]:

@@ -11,14 +11,14 @@ from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_file
 from verify.cli.options import Options, leave_out
 from verify.cli.terminal import show
-from verify.cli.theorem1_point import DEFAULTS, POINT_OPTIONS, read_parameters
+from verify.cli.theorem1_point import DEFAULTS, POINT_OPTIONS
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import REFUTED, UNDECIDED
 from verify.paper.parameters import PRINTED
 from verify.paper.source import PAPER
 from verify.prover.decimals import exact_number
 from verify.prover.outcome import EXIT_CODES, Outcome, conjunction
-from verify.spheres.parameters import neg_cos, restitution
+from verify.spheres.parameters import neg_cos, read_parameters, restitution
 from verify.wire.inputs import InputError, integer, interval, positive
 
 if TYPE_CHECKING:
@@ -127,7 +127,7 @@ def _scan(options: Options) -> int:
     steps = integer("--steps", options.steps, 2, 10**7)
     options.r = options.r.split("..", 1)[0]
     jobs = integer("--jobs", options.jobs, 1, MAX_JOBS)
-    values = {name: term.value for name, term in read_parameters(options).items()}
+    values = {name: term.value for name, term in read_parameters(vars(options)).items()}
     grid = Grid(*ends, steps, values)
     parts = in_order(grid.part, grid.parts(1 if jobs == 1 else TOGETHER), jobs)
     rows: list[tuple[str, str, str]] = []

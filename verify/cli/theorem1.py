@@ -7,12 +7,13 @@ from typing import Any
 
 from verify.cli.options import CERTIFICATE, CHOICES, COLOR, JSON, ROWS, Options, Usage, leave_out
 from verify.cli.terminal import show
-from verify.cli.theorem1_point import DEFAULTS, read_parameters
+from verify.cli.theorem1_point import DEFAULTS
 from verify.paper.commands.citing import as_printed
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.parameters import SELECTIONS
 from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
+from verify.spheres.parameters import read_parameters
 from verify.views.point import screen
 from verify.wire.inputs import InputError, integer
 
@@ -80,7 +81,7 @@ def _point(options: Options) -> int:
     """Decide Theorem 1 at a point; print, write, return the exit code."""
     why = "has a meaning with --r A..B --steps N only; leave it out"
     leave_out(options, ("csv", "jobs"), why, DEFAULTS)
-    parameters = read_parameters(options)
+    parameters = read_parameters(vars(options))
     bits, last = _precisions(options)
     if options.out is not None:
         from verify.cli.files import test_folder  # loaded only where it is used

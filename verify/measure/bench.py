@@ -223,7 +223,7 @@ def spectrum_table(precisions: Sequence[int], rounds: int) -> Table:
     r = Fraction(3, 100)
     for bits in precisions:
         seconds, found = timed(partial(eigenvalues.at, r, bits), rounds)
-        parts = (found.lambda_0, found.plus.re, found.plus.im, found.modulus, found.argument)
+        parts = (found.lambda_0, *found.plus, found.modulus, found.argument)
         with balls.precision(2 * bits):
             width = max(relative_width(balls.ends(ball)) for ball in parts)
         rows.append([bits, milliseconds(seconds), scientific(width)])

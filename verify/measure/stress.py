@@ -189,9 +189,9 @@ def run_spectrum(case: Case) -> Finding:
     found = eigenvalues.at(r, POINT_BITS)
     with balls.precision(2 * POINT_BITS):
         real, part, modulus = (
-            balls.ends(b) for b in (found.lambda_0, found.plus.re, found.modulus)
+            balls.ends(b) for b in (found.lambda_0, found.plus.real, found.modulus)
         )
-        parts = (found.lambda_0, found.plus.re, found.plus.im, found.modulus, found.argument)
+        parts = (found.lambda_0, *found.plus, found.modulus, found.argument)
         known = min(balls.accuracy_bits(ball) for ball in parts)
     h = (1 + r) / 4
 

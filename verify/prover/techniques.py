@@ -18,8 +18,6 @@ from verify.prover.universal import Universal
 
 #: With more variables than these a goal is not tried again with those that givens link to its own.
 MAX_LINKED = 5
-FEW_LEAVES, MANY_LEAVES = 300, 20_000
-FEW_PARTS, MANY_PARTS = 100, 2000
 
 
 class Technique(Record):
@@ -84,7 +82,6 @@ PRODUCTS = (
     Technique("sums of products", _from("linear", "by_products", degree=2)),
     Technique("orders of variables", _from("differences", "by_orders_of_variables")),
     Technique("powers of roots", _from("rising", "by_powers")),
-    Technique("squares where equations hold", _from("equations", "squares_on_equations")),
     Technique("powers of both sides", _from("equations", "by_whole_powers")),
     Technique("bounds of variables", _from("bounded", "by_bounds")),
 )
@@ -93,7 +90,7 @@ TIDY = (SUMS, PRODUCTS, (NORMAL_FORM,))
 #: For claims that no estimate refutes.
 SEARCHES = (
     Technique("cosines", partial(_cosines, near=True)),
-    Technique("a small tree", _from("tree", "by_tree", leaves=FEW_LEAVES)),
+    Technique("a small tree", _from("tree", "by_tree")),
     Technique("cosines", partial(_cosines, near=False)),
     Technique("definitions written out", _from("written_out", "by_definitions")),
     Technique("growth", _from("growth", "by_growth")),
@@ -101,10 +98,8 @@ SEARCHES = (
     ELEMENTARY,
     Technique("products of logarithms", _from("laws", "by_products_of_logarithms")),
     Technique("multiple angles", _from("multiple_angles", "by_multiple_angles")),
-    Technique(
-        "coefficients on few parts", _from("bernstein_boxes", "by_bernstein", parts=FEW_PARTS)
-    ),
-    Technique("slopes", _from("mean_values", "by_mean_values", leaves=MANY_LEAVES)),
+    Technique("coefficients on few parts", _from("bernstein_boxes", "by_bernstein")),
+    Technique("slopes", _from("mean_values", "by_mean_values")),
     Technique("arguments of functions", _from("arguments_of_functions", "by_arguments")),
     Technique("squaring", _from("squaring", "by_squaring")),
     Technique("factors", _from("factors", "by_factors")),
@@ -112,10 +107,6 @@ SEARCHES = (
     Technique("entries", _from("extrema", "by_entries")),
     Technique("cases", _from("extrema", "by_cases")),
     Technique("squares", _from("positive", "squares")),
-    Technique(
-        "coefficients on many parts", _from("bernstein_boxes", "by_bernstein", parts=MANY_PARTS)
-    ),
-    Technique("a large tree", _from("tree", "by_tree", leaves=MANY_LEAVES)),
 )
 
 

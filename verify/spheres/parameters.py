@@ -7,11 +7,37 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from verify.language.terms import Term, as_term, cos, cos_pi
-from verify.wire.inputs import InputError, check_length, rational, shown
+from verify.wire.inputs import InputError, check_length, positive, rational, shown
 
 #: ``pi``, ``5pi/6``, ``0.9*pi``, ``5/6*pi``: a factor, and what divides.
 _PI = r"(?:([0-9][0-9.eE/+-]*)\*?)?(?:pi|π)(?:/([0-9]+))?"
 _DEGREES = r"([0-9][0-9.eE/+-]*) ?(?:deg|degrees|°)"
+
+
+#: What is meant where nothing is said.
+DEFAULTS = {"delta_theta": "1/10", "V0": "1"}
+
+
+def read_parameters(given: Mapping[str, str | None]) -> dict[str, Term]:
+    """The parameters of Theorem 1 as exact terms, from r, theta0 or neg_cos, delta_theta and V0.
+
+    Raises:
+        InputError: for a number outside its range, or two angles.
+    """
+    texts = DEFAULTS | {name: text for name, text in given.items() if text is not None}
+    if "theta0" in texts and "neg_cos" in texts:
+        raise InputError("--theta0 and --neg-cos both give the angle; write only one of them")
+    r = as_term(restitution(texts["r"]))
+    if "theta0" in texts:
+        c = angle("--theta0", texts["theta0"])
+    else:
+        c = as_term(neg_cos(texts.get("neg_cos", "1")))
+    return {
+        "r": r,
+        "c": c,
+        "V_0": as_term(positive("--V0", texts["V0"])),
+        "delta_theta": as_term(positive("--delta-theta", texts["delta_theta"])),
+    }
 
 
 def restitution(text: str, *, elastic: bool = False) -> Fraction:

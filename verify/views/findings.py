@@ -6,17 +6,14 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from verify.language.record import TYPE_CHECKING, Record
+from verify.language.record import Record
 from verify.language.statement import UNDECIDED, Constant
 from verify.language.terms import Claim
 from verify.prover.outcome import Ends, Outcome
 from verify.publication import Publication
 
-if TYPE_CHECKING:
-    from verify.prover.balls import Ball
-
-#: Two intervals, one for each side of a rectangle.
-Rectangle = tuple[Ends, ...]
+#: Two intervals, one for each side of a cell.
+Cell = tuple[Ends, ...]
 
 
 # --- Theorem 1 at many points --------------------------------------------------------------------
@@ -99,27 +96,37 @@ class AtMasses(Record):
     middles: tuple[AboutMiddle, ...]
 
 
-class Complex(Record):
-    """A complex number enclosed by real and imaginary part."""
+class Rectangle(Record):
+    """Enclosures of the real and the imaginary part of a complex number: balls, or intervals."""
 
-    re: Ball
-    im: Ball
+    real: Any
+    imaginary: Any
 
 
 class Spectrum(Record):
-    """The eigenvalues other than 1, and eigenvectors with first coordinate 1.
+    """The eigenvalues other than 1, and eigenvectors with first coordinate 1: balls, or intervals.
 
-    ``exact`` is lambda_0 where it is rational. ``plus`` is the complex eigenvalue with positive
-    imaginary part; the other one is its conjugate. The eigenvector of 1 is (0, 1, 0, 1).
+    ``r`` is None where they are those of all r between two. ``exact`` is lambda_0 where it is
+    rational; ``plus`` is the complex eigenvalue with positive imaginary part, with its modulus and
+    its argument; its conjugate is the last one. The eigenvector of 1 is (0, 1, 0, 1).
     """
 
+    r: Fraction | None
     exact: Fraction | None
-    lambda_0: Ball
-    plus: Complex
-    modulus: Ball
-    argument: Ball
-    vector_0: tuple[Ball, ...]
-    vector_plus: tuple[Complex, ...]
+    lambda_0: Any
+    plus: Rectangle
+    modulus: Any
+    argument: Any
+    vector_0: tuple[Any, ...]
+    vector_plus: tuple[Rectangle, ...]
+
+    @property
+    def parts(self) -> list[Any]:
+        """All enclosures in one list; the constant first coordinates are left out."""
+        found = [self.lambda_0, *self.plus, self.modulus, self.argument, *self.vector_0[1:]]
+        for entry in self.vector_plus[1:]:
+            found += entry
+        return found
 
 
 # --- what is plotted -----------------------------------------------------------------------------
@@ -178,7 +185,7 @@ class Region(Record):
     shares: Mapping[str, Mapping[str, Ends]]
     bands: Sequence[tuple[Fraction, Fraction, int | None]]
     width: Fraction
-    curves: Sequence[Sequence[Rectangle]]
+    curves: Sequence[Sequence[Cell]]
 
 
 class Plotted(Record):

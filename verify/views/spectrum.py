@@ -12,7 +12,7 @@ from verify.prover.decimals import exact_number, outward, rational_text, short
 from verify.prover.outcome import Outcome
 from verify.publication import Publication
 from verify.views.document import claims_document
-from verify.views.findings import Complex, Spectrum
+from verify.views.findings import Rectangle, Spectrum
 from verify.views.words import summary
 
 FORMAT = "verify-spectrum/1"
@@ -37,8 +37,8 @@ def _point(r: list[Fraction], spectrum: Spectrum, digits: int) -> dict[str, Any]
     def pair(ball: Ball) -> list[str]:
         return outward(balls.ends(ball), digits)
 
-    def complex_pair(value: Complex) -> dict[str, list[str]]:
-        return {"re": pair(value.re), "im": pair(value.im)}
+    def complex_pair(value: Rectangle) -> dict[str, list[str]]:
+        return {"re": pair(value.real), "im": pair(value.imaginary)}
 
     texts = [rational_text(end) for end in r]
     eigenvalues: dict[str, Any] = {
@@ -75,7 +75,7 @@ def point_lines(r: list[Fraction], spectrum: Spectrum) -> Iterator[str]:
     value = _short(spectrum.lambda_0) if spectrum.exact is None else f"{spectrum.exact}"
     yield f"  λ₀  = {value}{'' if spectrum.exact is None else ' (exactly)'}, argument π"
     plus = spectrum.plus
-    yield f"  λ±  = {_short(plus.re)} ± i {_short(plus.im)}"
+    yield f"  λ±  = {_short(plus.real)} ± i {_short(plus.imaginary)}"
     yield f"  |λ±| = {_short(spectrum.modulus)}, argument ±{_short(spectrum.argument)}"
     yield "  eigenvector of 1:  (0, 1, 0, 1)"
     yield f"  eigenvector of λ₀: ({', '.join(map(_short, spectrum.vector_0))})"
@@ -86,9 +86,9 @@ def _short(ball: Ball) -> str:
     return short(balls.ends(ball))
 
 
-def _complex(value: Complex) -> str:
+def _complex(value: Rectangle) -> str:
     """A complex number: 1, or 0.105… - 0.245… i."""
-    real, imaginary = _short(value.re), _short(value.im)
+    real, imaginary = _short(value.real), _short(value.imaginary)
     if imaginary == "0":
         return real
     if imaginary.startswith("["):

@@ -61,11 +61,11 @@ def check(found: Spectrum, r: Fraction, bits: int) -> None:
         real = min(roots, key=lambda z: abs(mpmath.im(z)))
         pair = max(roots, key=mpmath.im)
         assert contains(found.lambda_0, mpmath.re(real))
-        assert contains(found.plus.re, mpmath.re(pair))
-        assert contains(found.plus.im, mpmath.im(pair))
+        assert contains(found.plus.real, mpmath.re(pair))
+        assert contains(found.plus.imaginary, mpmath.im(pair))
         assert contains(found.modulus, abs(pair))
         assert contains(found.argument, mpmath.arg(pair))
-    assert all(balls.accuracy_bits(ball) >= bits for ball in eigenvalues._balls(found))
+    assert all(balls.accuracy_bits(ball) >= bits for ball in found.parts)
 
 
 def check_vectors(found: Spectrum, r: Fraction, bits: int) -> None:
@@ -81,10 +81,10 @@ def check_vectors(found: Spectrum, r: Fraction, bits: int) -> None:
             )
             assert (image - found.lambda_0 * found.vector_0[i]).contains(0)
             v, (x, y) = found.vector_plus, found.plus
-            re = sum((matrix[i][j] * v[j].re for j in range(4)), start=0 * matrix[0][0])
-            im = sum((matrix[i][j] * v[j].im for j in range(4)), start=0 * matrix[0][0])
-            assert (re - (x * v[i].re - y * v[i].im)).contains(0)
-            assert (im - (x * v[i].im + y * v[i].re)).contains(0)
+            re = sum((matrix[i][j] * v[j].real for j in range(4)), start=0 * matrix[0][0])
+            im = sum((matrix[i][j] * v[j].imaginary for j in range(4)), start=0 * matrix[0][0])
+            assert (re - (x * v[i].real - y * v[i].imaginary)).contains(0)
+            assert (im - (x * v[i].imaginary + y * v[i].real)).contains(0)
 
 
 @pytest.mark.parametrize("r", HARD, ids=lambda r: f"{r}"[:24])
@@ -148,9 +148,9 @@ def test_three_moduli_next_to_one_are_told_apart() -> None:
 )
 def test_an_interval_covers_its_points(low: str, high: str) -> None:
     first, last = Fraction(low), Fraction(high)
-    whole = eigenvalues._balls(over(first, last, 128))
+    whole = over(first, last, 128).parts
     for i in range(41):
-        parts = eigenvalues._balls(at(first + (last - first) * i / 40, 128))
+        parts = at(first + (last - first) * i / 40, 128).parts
         for big, small in zip(whole, parts, strict=True):
             (a, b), (c, d) = balls.ends(big), balls.ends(small)
             assert a <= d
@@ -166,7 +166,7 @@ def test_an_interval_is_not_much_wider_than_needed() -> None:
     low, high = balls.ends(whole.lambda_0)
     ends = balls.ends(at(first, 128).lambda_0)[0], balls.ends(at(last, 128).lambda_0)[0]
     assert high - low < (ends[0] - ends[1]) * Fraction(101, 100)
-    low, high = balls.ends(whole.plus.re)
+    low, high = balls.ends(whole.plus.real)
     assert high - low < Fraction(3, 100)
 
 

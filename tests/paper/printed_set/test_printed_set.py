@@ -244,7 +244,7 @@ def state(choice: random.Random, k: Printed) -> tuple[Particles, arb]:
         )
     zero = [arb(0)] * dimension
     places = [zero, omega_s, [(1 + d) * x for x in omega_c]]
-    return Particles(k.r, places, [zero, *velocities]), y
+    return Particles(places, [zero, *velocities], k.r), y
 
 
 def check_orbit(seed: int) -> None:

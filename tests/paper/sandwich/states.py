@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -10,7 +11,7 @@ from typing import Any, NamedTuple
 from flint import arb
 
 from tests.evaluation import value
-from tests.paper.sharper.particles import Particles, Vector, combine, dot
+from tests.paper.sharper.particles import Particles, Vector, combine, directions, dot
 from verify.language.terms import Claim
 from verify.paper.commands.pages import page
 from verify.prover import balls
@@ -60,47 +61,45 @@ def fails(at: Values, points: tuple[tuple[Fraction, Fraction], ...]) -> list[str
     """The hypotheses that are not certain."""
     found = [name for name, claim in GIVENS.items() if not holds(claim, at)]
     half = (1 + at["r"]) / 2
+    widths = at["w_0"], at["w_1"]
+    each = [
+        {
+            "alpha": half * (at["C_0"] - at["Theta"]),
+            "rho": at["G"] * (widths[1 - n] / widths[n]) ** 2,
+            "R": at["r"] * at["G"],
+            "U_b": at["U_b"],
+        }
+        for n in (0, 1)
+    ]
+    return found + stair_fails(STAIR, each, points)
+
+
+def stair_fails(
+    claims: Mapping[str, Claim], each: Sequence[Values], points: Sequence[tuple[Fraction, Fraction]]
+) -> list[str]:
+    """What is not certain of a stair; each second step has the same numbers."""
+    found = []
     for n, ((Q, U), (Q_next, U_next)) in enumerate(pairwise(points)):
-        w_c, w_s = (at["w_1"], at["w_0"]) if n % 2 else (at["w_0"], at["w_1"])
         numbers = {"Q": Q, "U": U, "Q_next": Q_next, "U_next": U_next}
-        step = {name: balls.exact(x) for name, x in numbers.items()}
-        step |= {"alpha": half * (at["C_0"] - at["Theta"]), "rho": at["G"] * (w_s / w_c) ** 2}
-        step |= {"R": at["r"] * at["G"], "U_b": at["U_b"]}
+        step = {name: balls.exact(x) for name, x in numbers.items()} | each[n % 2]
         named = {f"stair.{name}": x for name, x in step.items()}
-        found += [name for name, claim in STAIR.items() if not holds(claim, named)]
+        found += [name for name, claim in claims.items() if not holds(claim, named)]
     if points[-1][0] > points[-3][0] or points[-1][1] > points[-3][1]:
         found.append("period")
     return found
 
 
-class Random:
-    """Particles in some dimension."""
+class Drawn:
+    """What is drawn in some dimension."""
+
+    finest = 10**12
 
     def __init__(self, seed: int, dimension: int) -> None:
         self.random, self.dimension = random.Random(seed), dimension
 
     def number(self, low: float, high: float) -> Fraction:
         """A number between two others, their logarithms evenly spread."""
-        return Fraction(low * (high / low) ** self.random.random()).limit_denominator(10**12)
-
-    def particles(self) -> Particles:
-        """Two relative velocities, mostly tangential, and particle 2 near contact."""
-        y = self.number(1e-4, 0.3)
-        eta_s = y * self.number(0.01, 0.4)
-        speeds = self.number(0.5, 2), self.number(0.5, 2)
-        d = y**2 / speeds[0] ** 2 * self.number(1e-4, 0.3)
-        C = 1 - self.number(1e-4, 0.3)
-        zero, one = arb(0), arb(1)
-        omega_s, omega_c = [zero] * self.dimension, [zero] * self.dimension
-        cosine = balls.from_fraction(C)
-        omega_s[0], omega_c[0], omega_c[1] = one, -cosine, (1 - cosine**2).sqrt()
-        W_s = self.velocity(omega_s, eta_s, speeds[1])
-        W_c = self.velocity(omega_c, -y, speeds[0])
-        away = [balls.from_fraction(1 + d) * x for x in omega_c]
-        r = balls.from_fraction(self.number(1e-3, 0.06))
-        return Particles(
-            r, [[zero] * self.dimension, omega_s, away], [[zero] * self.dimension, W_s, W_c]
-        )
+        return Fraction(low * (high / low) ** self.random.random()).limit_denominator(self.finest)
 
     def velocity(self, omega: Vector, normal: Fraction, across: Fraction) -> Vector:
         """A velocity with these sizes of its normal and its tangential part."""
@@ -109,6 +108,25 @@ class Random:
         aside = combine(draw, -dot(draw, omega), omega)
         length = balls.from_fraction(across) / dot(aside, aside).sqrt()
         return combine([balls.from_fraction(normal) * x for x in omega], length, aside)
+
+
+class Random(Drawn):
+    """Particles in some dimension."""
+
+    def particles(self) -> Particles:
+        """Two relative velocities, mostly tangential, and particle 2 near contact."""
+        y = self.number(1e-4, 0.3)
+        eta_s = y * self.number(0.01, 0.4)
+        speeds = self.number(0.5, 2), self.number(0.5, 2)
+        d = y**2 / speeds[0] ** 2 * self.number(1e-4, 0.3)
+        C = 1 - self.number(1e-4, 0.3)
+        omega_s, omega_c = directions(self.dimension, C)
+        W_s = self.velocity(omega_s, eta_s, speeds[1])
+        W_c = self.velocity(omega_c, -y, speeds[0])
+        away = [balls.from_fraction(1 + d) * x for x in omega_c]
+        r = balls.from_fraction(self.number(1e-3, 0.06))
+        rest = [arb(0)] * self.dimension
+        return Particles([rest, omega_s, away], [rest, W_s, W_c], r)
 
     def applied(self) -> Applied | None:
         """Particles to which the theorem applies, or nothing."""

@@ -6,9 +6,12 @@ Positions and velocities are balls of many bits; every comparison is certain or 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import combinations
 
 from flint import arb
+
+from verify.prover import balls
 
 Vector = list[arb]
 
@@ -23,18 +26,29 @@ def combine(x: Vector, number: arb, z: Vector) -> Vector:
     return [p + number * q for p, q in zip(x, z, strict=True)]
 
 
+def directions(dimension: int, C: Fraction) -> tuple[Vector, Vector]:
+    """Two unit vectors whose inner product is -C."""
+    first, second = [arb(0)] * dimension, [arb(0)] * dimension
+    cosine = balls.from_fraction(C)
+    first[0], second[0], second[1] = arb(1), -cosine, (1 - cosine**2).sqrt()
+    return first, second
+
+
 def sign(number: arb) -> int:
     """-1 or 1, and 0 if the ball contains 0."""
     return 1 if number > 0 else -1 if number < 0 else 0
 
 
 @dataclass
-class Particles:
-    """Particles of diameter 1 and equal mass at their places, with their velocities."""
+class Flying:
+    """Balls at their places, with their velocities."""
 
-    r: arb
     places: list[Vector]
     velocities: list[Vector]
+
+    def contact(self, _i: int, _j: int) -> arb:
+        """The distance at which two of them touch."""
+        return arb(1)
 
     def relative(self, i: int, j: int) -> tuple[Vector, Vector]:
         """Place and velocity of j seen from i."""
@@ -51,7 +65,7 @@ class Particles:
         if sign(approach) == 1:
             return None
         assert sign(approach) == -1
-        gap = dot(x, x) - 1
+        gap = dot(x, x) - self.contact(i, j) ** 2
         radicand = approach**2 - dot(u, u) * gap
         if sign(radicand) == -1:
             return None
@@ -71,11 +85,22 @@ class Particles:
                 found = time, i, j
         return found
 
-    def collide(self, time: arb, i: int, j: int) -> None:
-        """Fly for that time, and let the pair collide."""
+    def fly(self, time: arb) -> None:
+        """Let that time pass."""
         self.places = [
             combine(x, time, v) for x, v in zip(self.places, self.velocities, strict=True)
         ]
+
+
+@dataclass
+class Particles(Flying):
+    """Particles of diameter 1 and equal mass."""
+
+    r: arb
+
+    def collide(self, time: arb, i: int, j: int) -> None:
+        """Fly for that time, and let the pair collide."""
+        self.fly(time)
         omega, u = self.relative(i, j)
         impulse = (1 + self.r) / 2 * dot(u, omega)
         self.velocities[i] = combine(self.velocities[i], impulse, omega)

@@ -8,7 +8,7 @@ from math import sqrt
 
 from flint import arb
 
-from tests.paper.sharper.particles import Particles, Vector, combine, dot
+from tests.paper.sharper.particles import Particles, Vector, combine, directions, dot
 from tests.paper.sharper.search import Near, search
 from verify.prover import balls
 
@@ -54,15 +54,12 @@ class Random:
         C = min(n["C_0"] + self.between(-room, room), Fraction(1))
         if not eta_s > 0:
             return None
-        zero, one = balls.from_fraction(Fraction(0)), balls.from_fraction(Fraction(1))
-        omega_s, omega_c = [zero] * self.dimension, [zero] * self.dimension
-        cosine = balls.from_fraction(C)
-        omega_s[0], omega_c[0], omega_c[1] = one, -cosine, (1 - cosine**2).sqrt()
+        omega_s, omega_c = directions(self.dimension, C)
         W_s = self.velocity(omega_s, balls.from_fraction(eta_s), n["V_0"])
         W_c = self.velocity(omega_c, balls.from_fraction(-y), n["V_0"])
         away = [balls.from_fraction(1 + d) * x for x in omega_c]
-        rest = [zero] * self.dimension
-        return Particles(balls.from_fraction(n["r"]), [rest, omega_s, away], [rest, W_s, W_c])
+        rest = [arb(0)] * self.dimension
+        return Particles([rest, omega_s, away], [rest, W_s, W_c], balls.from_fraction(n["r"]))
 
     def velocity(self, omega: Vector, normal: arb, speed: Fraction) -> Vector:
         """A velocity with a normal component and a speed that is at most the given one."""

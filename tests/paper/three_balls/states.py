@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import random
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import combinations, pairwise
 from typing import Any, NamedTuple
 
 from flint import arb
 
-from tests.paper.sandwich.states import holds
-from tests.paper.sharper.particles import Vector, combine, dot, sign
+from tests.paper.sandwich.states import Drawn, holds, stair_fails
+from tests.paper.sharper.particles import Flying, combine, directions, dot
 from verify.language.terms import Claim
 from verify.paper.commands.pages import page
 from verify.prover import balls
@@ -30,8 +28,8 @@ Values = dict[str, Any]
 
 
 @dataclass
-class Balls:
-    """Three balls at their places, with their velocities; nothing is scaled.
+class Balls(Flying):
+    """Three balls of which nothing is scaled.
 
     ``r`` has the coefficients of restitution of the pairs 0-1 and 0-2.
     """
@@ -39,54 +37,15 @@ class Balls:
     masses: tuple[Fraction, Fraction, Fraction]
     radii: tuple[Fraction, Fraction, Fraction]
     r: dict[int, Fraction]
-    places: list[Vector]
-    velocities: list[Vector]
 
     def contact(self, i: int, j: int) -> arb:
-        """The distance at which two balls touch."""
+        """The sum of their radii."""
         return balls.from_fraction(self.radii[i] + self.radii[j])
-
-    def relative(self, i: int, j: int) -> tuple[Vector, Vector]:
-        """Place and velocity of j seen from i."""
-        minus = arb(-1)
-        return (
-            combine(self.places[j], minus, self.places[i]),
-            combine(self.velocities[j], minus, self.velocities[i]),
-        )
-
-    def meeting(self, i: int, j: int) -> arb | None:
-        """The time until two balls meet."""
-        x, u = self.relative(i, j)
-        approach = dot(x, u)
-        if sign(approach) == 1:
-            return None
-        assert sign(approach) == -1
-        gap = dot(x, x) - self.contact(i, j) ** 2
-        radicand = approach**2 - dot(u, u) * gap
-        if sign(radicand) == -1:
-            return None
-        assert sign(radicand) == 1
-        return gap / (radicand.sqrt() - approach)
-
-    def next(self) -> tuple[arb, int, int] | None:
-        """The first meeting: its time and its pair."""
-        found: tuple[arb, int, int] | None = None
-        for i, j in combinations(range(3), 2):
-            time = self.meeting(i, j)
-            if time is None:
-                continue
-            assert time > 0
-            assert found is None or time < found[0] or found[0] < time
-            if found is None or time < found[0]:
-                found = time, i, j
-        return found
 
     def collide(self, time: arb, i: int, j: int) -> None:
         """Fly for that time, and let ball 0 collide with another one."""
         assert i == 0
-        self.places = [
-            combine(x, time, v) for x, v in zip(self.places, self.velocities, strict=True)
-        ]
+        self.fly(time)
         omega, u = self.relative(0, j)
         m, m_j = (balls.from_fraction(self.masses[k]) for k in (0, j))
         normal = dot(u, omega) / dot(omega, omega)
@@ -132,18 +91,16 @@ def values_of(found: tuple[Bounds, Stair], start: Start) -> Values:
 def fails(at: Values, points: tuple[tuple[Fraction, Fraction], ...]) -> list[str]:
     """The hypotheses that are not certain."""
     found = [name for name, claim in GIVENS.items() if not _holds(claim, at)]
-    for n, ((Q, U), (Q_next, U_next)) in enumerate(pairwise(points)):
-        c, s = n % 2, 1 - n % 2
-        numbers = {"Q": Q, "U": U, "Q_next": Q_next, "U_next": U_next}
-        step = {name: balls.exact(x) for name, x in numbers.items()}
-        step |= {"alpha": at[f"beta_{c}"] * (at["C_0"] - at["Theta"])}
-        step |= {"rho": at["G"] * (at[f"w_{s}"] / at[f"w_{c}"]) ** 2}
-        step |= {"R": at[f"r_{c}"] * at["G"], "U_b": at["U_b"]}
-        named = {f"stair.{name}": x for name, x in step.items()}
-        found += [name for name, claim in STAIR.items() if not holds(claim, named)]
-    if points[-1][0] > points[-3][0] or points[-1][1] > points[-3][1]:
-        found.append("period")
-    return found
+    each = [
+        {
+            "alpha": at[f"beta_{c}"] * (at["C_0"] - at["Theta"]),
+            "rho": at["G"] * (at[f"w_{1 - c}"] / at[f"w_{c}"]) ** 2,
+            "R": at[f"r_{c}"] * at["G"],
+            "U_b": at["U_b"],
+        }
+        for c in (0, 1)
+    ]
+    return found + stair_fails(STAIR, each, points)
 
 
 def _holds(claim: Claim, at: Values) -> bool:
@@ -154,15 +111,14 @@ def _holds(claim: Claim, at: Values) -> bool:
     return all(holds(one, at) for one in both)
 
 
-class Random:
+class Random(Drawn):
     """Balls in some dimension; those that have one mass, one radius and one r if `equal`."""
 
-    def __init__(self, seed: int, dimension: int, *, equal: bool = False) -> None:
-        self.random, self.dimension, self.equal = random.Random(seed), dimension, equal
+    finest = 10**9
 
-    def number(self, low: float, high: float) -> Fraction:
-        """A number between two others, their logarithms evenly spread."""
-        return Fraction(low * (high / low) ** self.random.random()).limit_denominator(10**9)
+    def __init__(self, seed: int, dimension: int, *, equal: bool = False) -> None:
+        super().__init__(seed, dimension)
+        self.equal = equal
 
     def numbers(self, low: float, high: float, count: int) -> tuple[Fraction, ...]:
         """So many of them."""
@@ -180,10 +136,8 @@ class Random:
         speeds = self.number(0.5, 2), self.number(0.5, 2)
         d = y**2 / speeds[0] ** 2 * self.number(1e-4, 0.3)
         C = 1 - self.number(1e-4, 0.2)
-        zero, one = arb(0), arb(1)
-        omega_s, omega_c = [zero] * self.dimension, [zero] * self.dimension
-        cosine = balls.from_fraction(C)
-        omega_s[0], omega_c[0], omega_c[1] = one, -cosine, (1 - cosine**2).sqrt()
+        zero = arb(0)
+        omega_s, omega_c = directions(self.dimension, C)
         near, next_one = (balls.from_fraction(radii[0] + radii[i]) for i in (1, 2))
         V_s = self.velocity(omega_s, eta_s, speeds[1])
         V_c = self.velocity(omega_c, -y, speeds[0])
@@ -191,15 +145,7 @@ class Random:
         places = [[zero] * self.dimension, [near * x for x in omega_s], away]
         velocities = [[zero] * self.dimension, [near * x for x in V_s], [next_one * x for x in V_c]]
         (m_0, m_1, m_2), (R_0, R_1, R_2) = masses, radii
-        return Balls((m_0, m_1, m_2), (R_0, R_1, R_2), {1: r_1, 2: r_2}, places, velocities)
-
-    def velocity(self, omega: Vector, normal: Fraction, across: Fraction) -> Vector:
-        """A velocity with these sizes of its normal and its tangential part."""
-        draw = [balls.from_fraction(Fraction(self.random.randrange(-99, 99), 100)) for _ in omega]
-        draw[-1] += balls.from_fraction(Fraction(1, 1000))
-        aside = combine(draw, -dot(draw, omega), omega)
-        length = balls.from_fraction(across) / dot(aside, aside).sqrt()
-        return combine([balls.from_fraction(normal) * x for x in omega], length, aside)
+        return Balls(places, velocities, (m_0, m_1, m_2), (R_0, R_1, R_2), {1: r_1, 2: r_2})
 
     def applied(self) -> Applied | None:
         """Balls to which the theorem applies, or nothing."""

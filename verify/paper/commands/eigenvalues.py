@@ -21,7 +21,7 @@ from typing import Any
 
 from verify.prover import balls
 from verify.prover.balls import Ball
-from verify.views.findings import Complex, Spectrum
+from verify.views.findings import Rectangle, Spectrum
 
 Scalar = Any  # a Fraction or a Ball: the same formulas serve both
 
@@ -46,8 +46,8 @@ def at(r: Fraction, bits: int) -> Spectrum:
         with balls.precision(work):
             m = enclose_root(r, work)
             exact = rational_root(r, m)
-            found = _spectrum(m, exact)
-        if all(balls.accuracy_bits(ball) >= bits for ball in _balls(found)):
+            found = _spectrum(r, m, exact)
+        if all(balls.accuracy_bits(ball) >= bits for ball in found.parts):
             return found
         work *= 2
 
@@ -60,8 +60,8 @@ def over(low: Fraction, high: Fraction, bits: int) -> Spectrum:
         first, last = enclose_root(low, work), enclose_root(high, work)
         step = (last - first) / PIECES
         cuts = [first, *(first + step * i for i in range(1, PIECES)), last]
-        pieces = [_spectrum(balls.hull(cuts[i], cuts[i + 1]), None) for i in range(PIECES)]
-        hulls = [_hull(parts) for parts in zip(*map(_balls, pieces), strict=True)]
+        pieces = [_spectrum(None, balls.hull(cuts[i], cuts[i + 1]), None) for i in range(PIECES)]
+        hulls = [_hull(parts) for parts in zip(*(piece.parts for piece in pieces), strict=True)]
         return _from_balls([_hull([-(first**3), -(last**3)]), *hulls[1:]])
 
 
@@ -111,7 +111,7 @@ def rational_root(r: Fraction, m: Ball) -> Fraction | None:
     return None if value else Fraction(n, 4 * b)
 
 
-def _spectrum(ball: Ball, m: Fraction | None) -> Spectrum:
+def _spectrum(r: Fraction | None, ball: Ball, m: Fraction | None) -> Spectrum:
     """The closed formulas; parts that are rational numbers are computed exactly if m is."""
     if m is None:
         values = _rational_functions(ball)
@@ -121,9 +121,10 @@ def _spectrum(ball: Ball, m: Fraction | None) -> Spectrum:
     # The imaginary part of the root mu of mu^3 + h mu^2 + h mu + r whose cube is ``plus``.
     q = -balls.root(square) / 2
     third = balls.root(balls.from_fraction(Fraction(3))) / 3
-    plus = Complex(real, -factor * q)
+    plus = Rectangle(real, -factor * q)
     one, nothing = balls.from_fraction(Fraction(1)), balls.from_fraction(Fraction(0))
     return Spectrum(
+        r,
         None if m is None else -(m**3),
         lambda_0,
         plus,
@@ -131,10 +132,10 @@ def _spectrum(ball: Ball, m: Fraction | None) -> Spectrum:
         balls.argument(*plus),
         (one, third * y_0, z_0, third * t_0),
         (
-            Complex(one, nothing),
-            Complex(third * y, third * q * m_1),
-            Complex(z, q),
-            Complex(third * t, third * q * m_0),
+            Rectangle(one, nothing),
+            Rectangle(third * y, third * q * m_1),
+            Rectangle(z, q),
+            Rectangle(third * t, third * q * m_0),
         ),
     )
 
@@ -166,27 +167,20 @@ def _rational_functions(m: Scalar) -> tuple[Scalar, ...]:
     )
 
 
-def _balls(found: Spectrum) -> list[Ball]:
-    """All parts in one list; the constant first coordinates are left out."""
-    parts = [found.lambda_0, *found.plus, found.modulus, found.argument, *found.vector_0[1:]]
-    for entry in found.vector_plus[1:]:
-        parts += entry
-    return parts
-
-
 def _from_balls(parts: Iterable[Ball]) -> Spectrum:
-    """The spectrum with these parts, in the order of `_balls`."""
+    """The spectrum with these parts, in their order."""
     lambda_0, re, im, modulus, argument, y, z, t, *rest = parts
     one, nothing = balls.from_fraction(Fraction(1)), balls.from_fraction(Fraction(0))
     entries = (one, nothing, *rest)
     return Spectrum(
         None,
+        None,
         lambda_0,
-        Complex(re, im),
+        Rectangle(re, im),
         modulus,
         argument,
         (one, y, z, t),
-        tuple(Complex(entries[i], entries[i + 1]) for i in range(0, 8, 2)),
+        tuple(Rectangle(entries[i], entries[i + 1]) for i in range(0, 8, 2)),
     )
 
 

@@ -31,11 +31,13 @@ BITS = 32
 NEAR = 1e-7
 #: A point divides the range of its variable into parts whose lengths are whole numbers of these.
 PARTS = 64
+#: So many parts of a box are tried.
+LEAVES = 20_000
 #: What leaves may cost the checker, in its units: most of what a certificate may.
 MAX_UNITS = 5_400_000
 
 
-def by_mean_values(question: Question, leaves: int) -> Proof | None:
+def by_mean_values(question: Question) -> Proof | None:
     """Slopes on at most so many parts of the box, for the claim in its nested form."""
     goal = question.goal
     if goal.box is None or not goal.variables:
@@ -45,7 +47,7 @@ def by_mean_values(question: Question, leaves: int) -> Proof | None:
     if slopes is None:
         return None
     tree = MeanTree(nested.claim, goal.variables, goal.definitions, question.budget, slopes)
-    proof = tree.prove(leaves)
+    proof = tree.prove(LEAVES)
     if proof is None:
         if tree.left is not None:
             question.known.left = dict(zip(goal.variables, tree.left.ends, strict=True))

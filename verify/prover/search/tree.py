@@ -25,6 +25,8 @@ from verify.prover.search.compiled import Ranges, range_function
 from verify.prover.search.exact import ExactRanges
 from verify.prover.search.question import Question
 
+#: So many parts of a box are tried.
+LEAVES = 300
 #: Bits of the checker in leaves: few, as its cosines take time in proportion.
 BITS = 48
 #: So many nested cuts leave room for the brackets around them.
@@ -42,13 +44,13 @@ Ends = tuple[Fraction, Fraction]
 Halves = list[tuple[tuple[Ends, ...], float]]
 
 
-def by_tree(question: Question, leaves: int) -> Proof | None:
+def by_tree(question: Question) -> Proof | None:
     """Enclosures on at most so many parts of the box."""
     goal = question.goal
     if goal.box is None or not goal.variables:
         return None
     tree = Tree(goal.claim, goal.variables, goal.definitions, question.budget)
-    proof = tree.prove(leaves)
+    proof = tree.prove(LEAVES)
     if proof is None and tree.left is not None:
         question.known.left = dict(zip(goal.variables, tree.left.ends, strict=True))
     return proof

@@ -12,7 +12,7 @@ from fractions import Fraction
 
 from verify.language.statement import PRINTED, PROVED, REFUTED
 from verify.views.all_parameters import dependences
-from verify.views.findings import Rectangle, Region
+from verify.views.findings import Cell, Region
 from verify.views.plots import shapes
 from verify.views.words import fair
 
@@ -65,7 +65,7 @@ def picture(region: Region) -> shapes.Figure:
 # --- cells ---------------------------------------------------------------------------------------
 
 
-def cells(width: Fraction, low: Fraction, high: Fraction) -> Iterator[Rectangle]:
+def cells(width: Fraction, low: Fraction, high: Fraction) -> Iterator[Cell]:
     """Areas of s and c inside of the region in which phi_plus lies in an interval."""
     for k in range(COLUMNS):
         left, right = width * k / COLUMNS, width * (k + 1) / COLUMNS

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.measure.benchmarks import instructions
 from tests.measure.benchmarks.ratios import CERTIFICATE, certificate_ratio, committed, grown
 from verify.cli import main, report
 from verify.measure import scenes
@@ -97,3 +98,13 @@ def test_a_command_that_takes_half_as_much_again_is_named() -> None:
     assert line.startswith(f"{name}: ")
     (line,) = grown({other: figures[other] for other in figures if other != name}, figures)
     assert line == f"{name}: not in both"
+
+
+def test_a_twentieth_more_instructions_is_seen(tmp_path: Path) -> None:
+    version, figures = instructions.committed()
+    name, figure = next(iter(figures.items()))
+    assert grown(figures | {name: 1.04 * figure}, figures, instructions.TOLERANCE) == []
+    assert grown(figures | {name: 1.06 * figure}, figures, instructions.TOLERANCE)
+    if version == instructions.version():  # and the first one is counted
+        found = instructions.instructions(name.removeprefix("verify "), str(tmp_path))
+        assert abs(found - figure) < 0.05 * figure

@@ -39,13 +39,15 @@ def committed() -> dict[str, float]:
     return {name: float(figure) for figure, _, name in (line.partition("  ") for line in lines)}
 
 
-def grown(found: Mapping[str, float], figures: Mapping[str, float]) -> list[str]:
-    """A line for each command that takes too much, or that only one of both knows."""
+def grown(
+    found: Mapping[str, float], figures: Mapping[str, float], most: float = TOLERANCE
+) -> list[str]:
+    """A line for each command that takes more than so many times its figure, or has none."""
     lines = [f"{name}: not in both" for name in sorted({*found} ^ {*figures})]
     return lines + [
-        f"{name}: {found[name]:.2f} times as much, {figures[name]:.2f} in ratios.txt"
+        f"{name}: {found[name] / figures[name]:.2f} times what was written down"
         for name in figures
-        if found.get(name, 0) > TOLERANCE * figures[name]
+        if found.get(name, 0) > most * figures[name]
     ]
 
 

@@ -244,3 +244,9 @@ def test_nothing_is_shown_of_a_folder_whose_cited_certificate_is_refused(
     code, text, complaint = run(capsys, "explain", folder, "means")
     assert (code, text) == (2, "")
     assert "verify/check.py refuses the certificate" in complaint
+
+
+@pytest.mark.parametrize("word", ["\udcff", "x\udc80y"])
+def test_a_word_that_is_no_text(word: str, capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, "explain", word)
+    assert (code, out, err.count("\n")) == (2, "", 1)

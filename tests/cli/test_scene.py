@@ -457,6 +457,17 @@ def test_a_name_that_is_no_text(
     assert json.loads(found.read_text())["file"] == "a\udcff.toml"
 
 
+def test_a_file_among_certificates_that_has_no_text_as_its_name(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    made, out = tmp_path / "made", tmp_path / "out"
+    made.mkdir()
+    (made / "b.toml").write_text(GOOD)
+    assert run(capsys, made, "--out", out)[0] == 0
+    (out / "b" / "\udcff").touch()
+    assert run(capsys, made, "--out", out)[0] in (0, 2)  # 2 if the folder has to be written anew
+
+
 def test_the_drawing_is_whole(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for name in ("nearly-aligned", "in-space", "passing", "tie"):
         code, _, _ = run(capsys, SCENES / f"{name}.toml", "--plot", tmp_path / "scene.svg")

@@ -41,7 +41,7 @@ def names_with(where: str, word: str) -> dict[str, bool]:
     if index.lines() is None:
         return explained_in(statements()[where]())
     statement, certificate = packaged_files(where)
-    end = json.dumps(word, ensure_ascii=False)[1:].encode()
+    end = json.dumps(word, ensure_ascii=False)[1:].encode("utf-8", "surrogatepass")
     if end not in statement and end not in certificate:
         return {}
     said, steps = json.loads(statement), json.loads(certificate)["steps"]

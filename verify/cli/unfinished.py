@@ -67,7 +67,7 @@ class Unfinished:
             folders.sort()
             for file in sorted(files):
                 path = os.path.join(folder, file)
-                total.update(f"{os.path.relpath(path, place)} {_digest(path)}\n".encode())
+                total.update(os.fsencode(f"{os.path.relpath(path, place)} {_digest(path)}\n"))
         return total.hexdigest()
 
     def add(self, result: Result) -> None:

@@ -89,7 +89,10 @@ def test_a_table_of_collisions(tmp_path: Path, capsys: pytest.CaptureFixture[str
 
 def test_a_budget_is_undecided(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = written(tmp_path, BEADS)
-    assert run(capsys, path, "--collisions", "1")[0] == 3
+    code, out, _ = run(capsys, path, "--collisions", "1")
+    assert code == 3
+    assert "certain: 1 collision, the last at the time 0.28571428" in " ".join(out.split())
+    assert "certain: 0 collisions\n" in run(capsys, path, "--collisions", "0")[1]
     found = found_of(capsys, path, "--collisions", "1")
     assert (found["verdict"], found["reason"]) == ("undecided", "budget")
 

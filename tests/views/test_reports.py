@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 
 import pytest
 
-from tests.citing import cited
+from tests.citing import cited, cited_in
 from tests.points import parameters
 from verify.language.statement import REFUTED
 from verify.paper.commands import spectrum, theorem1
@@ -21,6 +23,8 @@ from verify.views.tex.sentences import name
 from verify.views.words import fair
 from verify.wire.judge import read_judged as read
 from verify.wire.write import write
+
+CERTIFICATES = Path(__file__).parents[2] / "certificates"
 
 
 def point() -> Outcome:
@@ -40,6 +44,18 @@ def test_a_view_does_not_see_whether_an_outcome_is_fresh(
     for row, _ in outcome.rows:
         assert row.label in text or name(row.label) in text
     assert text.count("{") == text.count("}")
+
+
+def test_a_report_has_the_value_of_each_parameter() -> None:
+    folder = CERTIFICATES / "scenes/bead"
+    files = [(folder / name).read_bytes() for name in ("statement.json", "certificate.json")]
+    scene = read(*files, cited_in(folder))
+    for outcome in (point(), scene):
+        table = report(outcome, PAPER).partition("## Parameters")[2].partition("\n## ")[0]
+        rows = re.findall(r"(?m)^\| (.+) \| (\S+) \|$", table)[1:]
+        values = [str(value.value) for value in outcome.statement.parameters.values()]
+        assert sorted(value for _, value in rows) == sorted(values)
+    assert "undefined" not in report(scene, PAPER)  # what was not asked for may be defined
 
 
 def test_a_report_has_every_refuted_row_with_its_evidence() -> None:

@@ -153,6 +153,9 @@ def test_the_spectrum_at_a_point(capsys: pytest.CaptureFixture[str]) -> None:
     one = found.plus.real.low**2 + found.plus.imaginary.low**2
     assert found.modulus.low**2 <= one + Fraction(1, 2**150)
     assert len(found.vector_0) == len(found.vector_plus) == 4
+    assert "vector_0 = (1, -0.0623266" in str(found)
+    assert "Fraction" not in str(found)
+    assert str(found.vector_plus[1]).startswith("0.10549719… - i 0.2458236")
 
 
 def test_what_is_no_exact_number_is_refused() -> None:

@@ -14,7 +14,10 @@ from verify.prover import balls
 from verify.prover.balls import Ball
 from verify.spheres.parameters import restitution
 from verify.views.findings import Complex
-from verify.views.spectrum import EXTRA_BITS
+from verify.views.spectrum import EXTRA_BITS, complex_told
+
+
+VECTORS = ("vector_0", "vector_plus")
 
 
 class Rectangle(Record):
@@ -22,6 +25,9 @@ class Rectangle(Record):
 
     real: Interval
     imaginary: Interval
+
+    def __str__(self) -> str:
+        return complex_told(str(self.real), str(self.imaginary))
 
 
 class Spectrum(Record):
@@ -39,6 +45,12 @@ class Spectrum(Record):
     argument: Interval
     vector_0: tuple[Interval, ...]
     vector_plus: tuple[Rectangle, ...]
+
+    def __str__(self) -> str:
+        told = {name: getattr(self, name) for name in ("lambda_0", "plus", "modulus", "argument")}
+        lines = [f"{name} = {value}" for name, value in told.items()]
+        vectors = [f"{name} = ({', '.join(map(str, getattr(self, name)))})" for name in VECTORS]
+        return "\n".join((f"r = {self.r}", *lines, *vectors))
 
 
 def at(r: str | int | Fraction, *, bits: int = 128) -> Spectrum:

@@ -87,8 +87,11 @@ def _short(ball: Ball) -> str:
 
 
 def _complex(value: Complex) -> str:
-    """A complex number: 1, or 0.105… - 0.245… i."""
-    real, imaginary = _short(value.re), _short(value.im)
+    return complex_told(_short(value.re), _short(value.im))
+
+
+def complex_told(real: str, imaginary: str) -> str:
+    """A complex number from its parts: 1, or 0.105… - i 0.245…."""
     if imaginary == "0":
         return real
     if imaginary.startswith("["):

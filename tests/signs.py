@@ -167,7 +167,7 @@ for folder, names in {
 }.items():
     for name in names.split():
         (label,) = {*re.findall(r"\| (\([0-9.]+\)|[A-Z][a-z]+ [0-9]+) `", row(folder, name))}
-        said(P, f"`{name}` {label} |", by=row(folder, name))
+        said(P, f"`{name}` {label} |", by=name + label)
 so(
     P,
     "## Sections 4.2 and 5",

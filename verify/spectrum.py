@@ -16,7 +16,6 @@ from verify.spheres.parameters import restitution
 from verify.views.findings import Complex
 from verify.views.spectrum import EXTRA_BITS, complex_told
 
-
 VECTORS = ("vector_0", "vector_plus")
 
 

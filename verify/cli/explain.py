@@ -59,7 +59,8 @@ USAGE = Usage(
         **{f"{name} {name[2:].upper()}": "the same: see verify theorem1 --help" for name in ANGLES},
         **JSON,
         **COLOR,
-    }
+    },
+    example="zeta-x-bound",
 )
 
 

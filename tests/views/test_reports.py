@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -11,7 +12,7 @@ import pytest
 
 from tests.citing import cited, cited_in
 from tests.points import parameters
-from verify.language.statement import REFUTED
+from verify.language.statement import PRINTED, PROVED, REFUTED
 from verify.paper.commands import spectrum, theorem1
 from verify.paper.source import PAPER
 from verify.prover.decimals import short
@@ -56,6 +57,16 @@ def test_a_report_has_the_value_of_each_parameter() -> None:
         values = [str(value.value) for value in outcome.statement.parameters.values()]
         assert sorted(value for _, value in rows) == sorted(values)
     assert "undefined" not in report(scene, PAPER)  # what was not asked for may be defined
+
+
+def test_a_report_says_on_what_its_verdict_depends() -> None:
+    """*Proved* alone would say that what is printed is proved, of which 13 rows are refuted."""
+    outcome = point()
+    found = Counter(fair(outcome, row, d) for row, d in outcome.rows if row.role == PRINTED)
+    above = report(outcome, PAPER).partition("\n## ")[0]
+    assert (
+        f"{sum(found.values())} printed ({found[PROVED]} proved, {found[REFUTED]} refuted" in above
+    )
 
 
 def test_a_report_has_every_refuted_row_with_its_evidence() -> None:

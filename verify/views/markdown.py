@@ -5,7 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from verify.language.statement import Always, Applies, Constant, Obligation, Variable
+from verify.language.statement import (
+    NEEDED,
+    PRINTED,
+    Always,
+    Applies,
+    Constant,
+    Obligation,
+    Variable,
+)
 from verify.language.terms import Claim, Term, symbol
 from verify.language.typeset import LONG, Typesetter
 from verify.prover.outcome import Decision, Outcome
@@ -87,6 +95,8 @@ def content(outcome: Outcome, paper: Publication, write: Any) -> dict[str, Any]:
         "changes": paper.notes().changes if main else (),
         "verdict": words.verdict_text(outcome, paper),
         "numbers": in_numbers(outcome) if REPAIRED in words.groups(outcome) else None,
+        "needed": words.counts(outcome, NEEDED),
+        "beside": words.counts(outcome, PRINTED),
         "groups": words.groups(outcome),
         "parameters": [
             (write.term(symbol(name)), write.term(value))

@@ -164,8 +164,12 @@ def test_what_is_no_exact_number_is_refused() -> None:
     for at in (theorem1.at, spectrum.at):
         with pytest.raises(TypeError, match="r is a float; write a text"):
             at(0.03)  # type: ignore[operator]
-        with pytest.raises(InputError, match="not in"):
+        with pytest.raises(InputError, match=r"^r: .* not in"):
             at("1.5")  # type: ignore[operator]
+    with pytest.raises(InputError, match=r"^V_0: "):
+        theorem1.at("0.03", V_0=-1)
+    with pytest.raises(InputError, match=r"^delta_theta: "):
+        theorem1.at("0.03", delta_theta="0,1")
     with pytest.raises(InputError, match="both give the angle"):
         theorem1.at("0.03", theta0="pi", neg_cos=1)
 

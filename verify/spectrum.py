@@ -8,7 +8,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from verify.language.record import Record
-from verify.library import Interval, exact_text
+from verify.library import Interval, called, exact_text
 from verify.paper.commands import eigenvalues
 from verify.prover import balls
 from verify.prover.balls import Ball
@@ -59,7 +59,8 @@ def at(r: str | int | Fraction, *, bits: int = 128) -> Spectrum:
         TypeError: for a float.
         InputError: for a number that is not in (0, 1).
     """
-    exact_r = restitution(exact_text("r", r))
+    with called():
+        exact_r = restitution(exact_text("r", r))
     found = eigenvalues.at(exact_r, bits)
     with balls.precision(bits + EXTRA_BITS):  # at which the ends of balls are rounded
         return Spectrum(

@@ -11,7 +11,7 @@ from fractions import Fraction
 from verify.cli.options import Options
 from verify.cli.theorem1_point import read_parameters
 from verify.language.statement import PRINTED, REFUTED
-from verify.library import Interval, Result, exact_text
+from verify.library import Interval, Result, called, exact_text
 from verify.paper.commands.citing import as_printed
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.source import PAPER
@@ -64,5 +64,6 @@ def at(
     """
     given = {"r": r, "neg_cos": neg_cos, "delta_theta": delta_theta, "V0": V_0}
     texts = {name: None if v is None else exact_text(name, v) for name, v in given.items()}
-    parameters = read_parameters(Options(theta0=theta0, **texts))
+    with called(V0="V_0"):
+        parameters = read_parameters(Options(theta0=theta0, **texts))
     return Point(*decide_point(parameters, "all", bits, max_bits, all_sides=True))

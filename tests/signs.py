@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 
 from mpmath import mpf
@@ -142,7 +143,7 @@ so(P, "| Cnd8, summed,", has("verify/paper/theorem1.toml", "Cnd8"))
 so(P, "(Cnd8, summed,", has("verify/paper/theorem1.toml", "Cnd8"))
 so(P, "max(d_n, 2ζ_n)/δ₂ ≤ h₄δ_x/2", "≤ h₄δ_x/2" in row("theorem1-r-3-100", "x-term-1-d"))
 so(P, "with < the second ratio", PRINTED)
-so(P, "`EQUATSS3.4ZKCl2CondiStabi` has >.", STABLE, MEANT)
+so(P, f"{STABLE} has >.", MEANT)
 so(P, "literally, < makes", PRINTED)
 so(P, "| Cnd6 and Cnd7 give", "Cnd6" in row("theorem1-r-3-100", "Cnd5-lower-as-printed"))
 so(P, "last term has - | ≤, and + |", row("step-printed", "angle-sign"))
@@ -152,8 +153,21 @@ so(P, "with >, as it is meant,", MEANT)
 so(P, "which < allows", PRINTED)
 so(P, "## Sections 1 to 4.1", has("verify/paper/sections_1_to_4.toml", "Sections 1 to 4.1"))
 so(P, "which Section 4 includes", number("EQUATSS4.1SysteDynamColSp"))
-for text in ("rate of `{}`. Its", "the rate of `{}` has r"):
-    said(P, text, "PROPOSS3.4CLineConveNorma")
+for text in ("rate of {}. Its", "the rate of {} has r"):
+    said(P, text, rate)
+said(P, "basis of {} is stated", number("EQUATSS3.5MatrixAlim_ResF"))
+for folder, names in {
+    "theorem1-r-3-100": "set-interior zeta-x-bound zeta-total final-angle y-term-3 x-term-1-d "
+    "norm-law-as-printed second-assumption-as-printed phi-minus-called-unstable d-index "
+    "Cnd5-lower-as-printed zeta-time-square angle-sign init-zeta-bound-2 CndT-as-printed "
+    "r_stabi-gives-fixed-points angle-absorbed angle-as-printed",
+    "step-printed": "term-2-sign",
+    "elsewhere": "flight-forgotten tangential-large window-same distance-half-printed "
+    "change-bound dimension-less",
+}.items():
+    for name in names.split():
+        (label,) = {*re.findall(r"\| (\([0-9.]+\)|[A-Z][a-z]+ [0-9]+) `", row(folder, name))}
+        said(P, f"`{name}` {label} |", by=name + label)
 so(
     P,
     "## Sections 4.2 and 5",

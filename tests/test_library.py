@@ -153,6 +153,9 @@ def test_the_spectrum_at_a_point(capsys: pytest.CaptureFixture[str]) -> None:
     one = found.plus.real.low**2 + found.plus.imaginary.low**2
     assert found.modulus.low**2 <= one + Fraction(1, 2**150)
     assert len(found.vector_0) == len(found.vector_plus) == 4
+    assert "vector_0 = (1, -0.0623266" in str(found)
+    assert "Fraction" not in str(found)
+    assert str(found.vector_plus[1]).startswith("0.10549719… - i 0.2458236")
 
 
 def test_what_is_no_exact_number_is_refused() -> None:
@@ -161,7 +164,7 @@ def test_what_is_no_exact_number_is_refused() -> None:
     for at in (theorem1.at, spectrum.at):
         with pytest.raises(TypeError, match="r is a float; write a text"):
             at(0.03)  # type: ignore[operator]
-        with pytest.raises(InputError, match="not in"):
+        with pytest.raises(InputError, match=r"^r: .* not in"):
             at("1.5")  # type: ignore[operator]
         with pytest.raises(InputError, match=r"digits|characters"):
             at(10**5000)  # type: ignore[operator]
@@ -179,6 +182,10 @@ def test_what_is_no_exact_number_is_refused() -> None:
         theorem1.at("0.03", bits=256, max_bits=128)
     with pytest.raises(TypeError, match="V0 is a NoneType"):
         theorem1.at("0.03", V_0=None)  # type: ignore[arg-type]
+    with pytest.raises(InputError, match=r"^V_0: "):
+        theorem1.at("0.03", V_0=-1)
+    with pytest.raises(InputError, match=r"^delta_theta: "):
+        theorem1.at("0.03", delta_theta="0,1")
     with pytest.raises(InputError, match="both give the angle"):
         theorem1.at("0.03", theta0="pi", neg_cos=1)
 

@@ -7,7 +7,9 @@ down: a `TypeError` for a value of the wrong kind, an `InputError` for the rest.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from fractions import Fraction
 from hashlib import sha256
 from os import PathLike
@@ -120,6 +122,22 @@ def exact_bits(name: str, value: int, most: int) -> int:
     if not 2 <= value <= most:
         raise InputError(f"{name}: has to be from 2 to {most}")
     return value
+
+
+@contextmanager
+def called(**names: str) -> Iterator[None]:
+    """Inside, what a message is about is called as the argument, ``neg_cos``, or as ``names`` say.
+
+    Raises:
+        InputError: with the message that names arguments.
+    """
+    try:
+        yield
+    except InputError as error:
+        about, colon, rest = str(error).partition(":")
+        for option in re.findall(r"--([\w-]+)", about):
+            about = about.replace(f"--{option}", names.get(option, option.replace("-", "_")))
+        raise InputError(about + colon + rest) from None
 
 
 # --- the parts of a statement --------------------------------------------------------------------

@@ -8,7 +8,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from verify.library import Interval, exact_bits, exact_text
+from verify.library import Interval, called, exact_bits, exact_text
 from verify.paper.commands import eigenvalues
 from verify.prover import balls
 from verify.prover.balls import Ball
@@ -27,7 +27,9 @@ def at(r: str | int | Fraction, *, bits: int = 128) -> Spectrum:
         InputError: for a number that is not in (0, 1).
     """
     bits = exact_bits("bits", bits, 1 << 22)
-    found = eigenvalues.at(restitution(exact_text("r", r)), bits)
+    with called():
+        exact_r = restitution(exact_text("r", r))
+    found = eigenvalues.at(exact_r, bits)
     with balls.precision(bits + EXTRA_BITS):  # at which the ends of balls are rounded
         return Spectrum(*map(_intervals, found))
 

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from verify.language.statement import PRINTED, REFUTED
-from verify.library import Interval, Result, exact_bits, exact_text
+from verify.library import Interval, Result, called, exact_bits, exact_text
 from verify.paper.commands.citing import as_printed
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.source import PAPER
@@ -71,5 +71,6 @@ def at(
     bits, max_bits = (exact_bits(*p, 1 << 16) for p in (("bits", bits), ("max_bits", max_bits)))
     if max_bits < bits:
         raise InputError(f"max_bits: {max_bits} is below bits, {bits}; write at least {bits}")
-    parameters = read_parameters({"theta0": angle, **texts})
+    with called(V0="V_0"):
+        parameters = read_parameters({"theta0": angle, **texts})
     return Point(*decide_point(parameters, "all", bits, max_bits, all_sides=True))

@@ -278,3 +278,18 @@ def test_a_remedy_works_when_it_is_followed(
             return
         capsys.readouterr()
     pytest.fail(f"{given}")
+
+
+@pytest.mark.parametrize("command", ["prove", "scene", "map", "check", "explain"])
+def test_what_may_be_written_is_said_where_all_is_missing(
+    command: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code = main([command])
+    err = capsys.readouterr().err
+    found = re.search(r"write for example verify (.*); see", err)
+    assert code == 2
+    assert found is not None
+    words = found[1].split()
+    if command == "map":  # which takes its time
+        words += ["--boxes", "9"]
+    assert main(words) in (0, 1, 3)

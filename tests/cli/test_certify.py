@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.cli.test_documents import document, validator
 from verify.cli import main
 from verify.paper.commands import certificates
 from verify.prover.outcome import Outcome
@@ -39,6 +40,19 @@ def test_what_is_written_compares_equal(capsys: pytest.CaptureFixture[str], tmp_
     (folder / "certificate.json").unlink()
     code, out, _ = run(capsys, "certify", "--compare", "--directory", tmp_path / "new")
     assert (code, out.count("DIFFERS ")) == (1, 2)
+    words = ["certify", "--compare", "--directory", str(tmp_path / "new")]
+    found = document(capsys, words)
+    validator("files").validate(found)
+    assert (found["exit_code"], found["compared"]) == (1, True)
+    states = {one["path"]: one["state"] for one in found["files"]}
+    assert states.keys() == {str(path) for path in files}
+    assert {path for path, state in states.items() if state != "same"} == {
+        str(folder / "report.md"), str(folder / "certificate.json"),
+    }  # fmt: skip
+    found = document(capsys, [*words[:1], *words[2:]])
+    validator("files").validate(found)
+    assert {one["state"] for one in found["files"]} == {"written"}
+    assert str(folder) in {one["path"] for one in found["files"]}
     assert run(capsys, "check", "--statement", tmp_path / "new/spectrum")[0] == 0
 
 

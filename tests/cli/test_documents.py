@@ -42,6 +42,9 @@ DOCUMENTS = [
     ("prove", ["prove", f"{EXAMPLE}/statement.json"]),
     ("prove", ["prove", f"{ROOT}/certificates/examples/minimum/statement.json"]),
     ("measurements", ["stress", "--quick"]),
+    ("explain", ["explain", "zeta-x-bound"]),
+    ("explain", ["explain", "--r", "0.03", "delta_x"]),
+    ("explain", ["explain", "step", "4.47"]),
 ]
 
 

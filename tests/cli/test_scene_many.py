@@ -119,7 +119,10 @@ def test_a_table_of_collisions(tmp_path: Path, capsys: pytest.CaptureFixture[str
 
 def test_a_budget_is_undecided(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = written(tmp_path, BEADS)
-    assert run(capsys, path, "--collisions", "1")[0] == 3
+    code, out, _ = run(capsys, path, "--collisions", "1")
+    assert code == 3
+    assert "certain: 1 collision, the last at the time 0.28571428" in " ".join(out.split())
+    assert "certain: 0 collisions\n" in run(capsys, path, "--collisions", "0")[1]
     found = found_of(capsys, path, "--collisions", "1")
     assert (found["verdict"], found["reason"]) == ("undecided", "budget")
 
@@ -232,6 +235,20 @@ def test_unusable_input_is_one_line(
     code, out, err = run(capsys, written(tmp_path, text))
     assert (code, out, err.count("\n")) == (2, "", 1)
     assert why in err
+
+
+@pytest.mark.parametrize("name", ["a.csv", "a.xyz", "a.dump"])
+def test_a_table_of_particles_is_no_scene(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The remedy is right: what it says is a scene file."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / name).write_text("x,y,vx,vy\n0,0,0,0\n2,0,-1,0\n5,0,0,0\n8,0,0,0\n")
+    code, _, err = run(capsys, name)
+    assert (code, err.count("\n")) == (2, 1)
+    if name.endswith(".csv"):
+        lines = err.partition("with the lines ")[2].strip().split(" and ")
+        assert run(capsys, written(tmp_path, "\n".join(lines)))[0] == 0
 
 
 def test_options_for_three_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

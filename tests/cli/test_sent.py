@@ -73,6 +73,10 @@ def test_what_is_proved_can_be_sent(
     assert "python3 -I check.py ." in page.text
     for name in names - {"report.html", "report.md"}:
         assert sha256((there / name).read_bytes()).hexdigest() in page.text
+    if "report.md" in names:
+        text = (there / "report.md").read_text(encoding="utf-8")
+        assert "in this folder: `python3 -I check.py .`" in text
+        assert "verify/check.py" not in text
     rows = json.loads((there / "statement.json").read_bytes())["obligations"]
     assert all(row["name"].removeprefix(f"{row['group']}.") in page.text for row in rows)
     capsys.readouterr()

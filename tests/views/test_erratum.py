@@ -17,7 +17,9 @@ from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
 from verify.prover.uses import nodes
 from verify.publication import BREAKS, REPAIRED
+from verify.views import words as said
 from verify.views.erratum import _Erratum, erratum
+from verify.views.point import printed_lines
 
 EVERYWHERE = accepted("all_parameters")
 PRINTED = accepted("printed_rows")
@@ -126,3 +128,11 @@ def test_the_command(capsys: pytest.CaptureFixture[str], text: str) -> None:
     for more in (["--r", "0.03"], ["--all"], ["--json"], ["--out", "x"], ["-v"]):
         assert main(["theorem1", "--erratum", *more]) == 2
         assert "leave it out with --erratum" in capsys.readouterr().err
+
+
+def test_the_room_for_the_angle_is_that_of_the_certificate() -> None:
+    """A reader of the summary is told what Θ is, as the statement about the printed set has it."""
+    outcome = accepted("printed_set")
+    (found,) = (c for one in outcome.statement.contexts for c in one.constants if c.name == "Theta")
+    told = said.letters(outcome).term(found.term).replace("·", " ")
+    assert f"Θ = {told}" in " ".join(printed_lines(verdicts_as_printed(), PAPER))

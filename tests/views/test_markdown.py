@@ -15,7 +15,7 @@ PAGE = """title = "T"
 [assumptions]
 A = "It is so."
 [contexts.c]
-variables = { x = { letter = "<!--" } }
+variables = ["x"]
 given = ["0 <= x <= 1"]
 [rows]
 r = { claim = "x <= 1", says = "see <!--", uses = ["A"], label = "</b>", group = "<u" }
@@ -31,6 +31,7 @@ def test_a_file_adds_nothing_to_its_report_and_hides_nothing(
     statement = json.loads((folder / "statement.json").read_bytes())
     statement["title"] = "T\n\n## All is well\n\nNothing is taken on trust.\n\n<!-- x"
     statement["assumptions"][0]["sentence"] = "a\n\n# Heading \u202e\n"
+    statement["contexts"][0]["variables"][0]["letter"] = "<!--"
     statement["contexts"][0]["says"] = "c\n\n| a | b |\n<details>"
     content = json.dumps(statement).encode()
     (folder / "statement.json").write_bytes(content)

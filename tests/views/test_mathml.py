@@ -53,6 +53,9 @@ def read(term: Term) -> str:
         (symbol("phi") ** 2, "{({φ−})2}"),
         (symbol("eta") ** 2, "{η¯2}"),
         (symbol("delta_theta"), "δθ"),
+        (symbol("x.2.1") - symbol("x.0.1"), "x2,1−x0,1"),
+        (symbol("flow:m.0"), "m0"),
+        (symbol("reach_2"), "reach2"),
     ],
 )
 def test_parentheses_and_signs(term: Term, text: str) -> None:

@@ -15,6 +15,7 @@ from typing import Any
 
 import pytest
 
+from tests.cli.test_documents import validator
 from tests.views.conftest import TABLE, build, pages_of
 from verify.cli import main
 from verify.paper.commands.citing import step_cited
@@ -297,6 +298,12 @@ def test_compare_sees_one_digit(copy: Path, capsys: pytest.CaptureFixture[str]) 
     code, out, _ = run(capsys, "--compare", "--directory", str(copy))
     assert code == 1
     assert out.count("DIFFERS") == 2
+    code, out, _ = run(capsys, "--compare", "--directory", str(copy), "--json")
+    found = json.loads(out)
+    validator("files").validate(found)
+    assert (code, found["exit_code"], found["command"]) == (1, 1, "report")
+    states = [one["state"] for one in found["files"]]
+    assert (states.count("differs"), {*states}) == (2, {"same", "differs"})
 
 
 @pytest.mark.usefixtures("made_before")

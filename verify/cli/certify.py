@@ -6,9 +6,9 @@ import os
 from collections.abc import Mapping
 
 from verify.cli.files import MAX_BYTES, test_folder, write_folder
-from verify.cli.options import Options, Usage
+from verify.cli.made import DIFFERS, SAME, WRITTEN, Made
+from verify.cli.options import JSON, Options, Usage
 from verify.cli.steps import Steps
-from verify.cli.terminal import erase
 from verify.prover.outcome import Outcome
 from verify.wire.inputs import InputError, regular_file, shown
 from verify.wire.judge import accept
@@ -17,6 +17,7 @@ USAGE = Usage(
     {
         "--directory DIR": "where the folders are (default certificates)",
         "--compare": "write nothing; exit 1 if a file would change",
+        **JSON,
     },
     {"directory": "certificates"},
 )
@@ -33,19 +34,18 @@ def run(options: Options) -> int:
     from verify.paper.commands.certificates import all_folders, number_of_folders  # loads flint
 
     progress = Steps(number_of_folders(options.directory))
-    differing = 0
+    told, differing = Made("certify", options), 0
     for folder, outcome in all_folders(options.directory):
         path = os.path.join(options.directory, folder)
         progress(path)
         contents = folder_files(outcome)
         if options.compare:
-            differing += _compare(path, contents)
+            differing += _compare(path, contents, told)
             continue
         accept(contents, outcome.claimed)
         write_folder("--directory", path, contents)
-        erase()
-        print(f"written  {path}")
-    return 1 if differing else 0
+        told(WRITTEN, path)
+    return told.end(1 if differing else 0)
 
 
 def folder_files(outcome: Outcome) -> dict[str, bytes]:
@@ -57,15 +57,14 @@ def folder_files(outcome: Outcome) -> dict[str, bytes]:
     return write(outcome) | {"report.md": report(outcome, PAPER).encode()}
 
 
-def _compare(path: str, contents: Mapping[str, bytes]) -> int:
+def _compare(path: str, contents: Mapping[str, bytes], told: Made) -> int:
     """Say of each file whether it is the same; return how many are not."""
     differing = 0
-    erase()
     for name, content in contents.items():
         file = os.path.join(path, name)
         same = _read(file) == content
         differing += not same
-        print(f"{'same' if same else 'DIFFERS':<8} {file}")
+        told(SAME if same else DIFFERS, file)
     return differing
 
 

@@ -46,7 +46,8 @@ USAGE = Usage(
         "--latex": "print what is accepted as one LaTeX document instead of the verdicts",
         "--full": "in LaTeX also the rows that others are proved from, and all printed",
         "--markdown": "print what is accepted as a report in Markdown",
-    }
+    },
+    example="theorem1-all",
 )
 
 

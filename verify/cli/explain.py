@@ -9,8 +9,8 @@ import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from verify.cli.files import MAX_BYTES
-from verify.cli.options import COLOR, Options, Usage, field
+from verify.cli.files import MAX_BYTES, print_document
+from verify.cli.options import COLOR, JSON, Options, Usage, field
 from verify.cli.proofs import (
     MAIN,
     accepted_outcome,
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from verify.paper.commands.place import Place
     from verify.prover.outcome import Outcome
 
+FORMAT = "verify-explain/1"
 #: What the prover calls the lemmas that it finds: they stand nowhere in the paper's pages.
 NUMBERED = re.compile(r".*\.[0-9]+")
 
@@ -56,8 +57,10 @@ USAGE = Usage(
         "-v, --verbose": "claims as the statement has them, not simplified",
         "--r R": "the row at this point of Theorem 1, as verify theorem1 has it",
         **{f"{name} {name[2:].upper()}": "the same: see verify theorem1 --help" for name in ANGLES},
+        **JSON,
         **COLOR,
-    }
+    },
+    example="zeta-x-bound",
 )
 
 
@@ -80,7 +83,11 @@ def run(options: Options) -> int:
         text = _inside(folders[0], outcome_of(folders[0]), word, options)
     else:
         text = _anywhere(word, options)
-    show(text, options)
+    if options.json:
+        asked = {"row": options.row[-1], "folder": folders[0] if folders else None}
+        print_document({"format": FORMAT, "command": "explain", **asked, "text": text})
+    else:
+        show(text, options)
     return 0
 
 

@@ -70,6 +70,7 @@ USAGE = Usage(
         **JSON,
     },
     {"boxes": "1000000", "jobs": "1"},
+    example="phi --r 0.03",
 )
 
 

@@ -64,13 +64,14 @@ class Usage(Record):
     ``-n, --name`` without a value; and each word without an option, in order: ``name``, ``[name]``
     if it may be left out, ``name [name ...]`` for one or more. Each of these has a field in
     `Options`; ``defaults`` are the values there of options that are not written. An option with
-    ``choices`` has one of these values.
+    ``choices`` has one of these values; ``example`` is what may be written where all is missing.
     """
 
     meanings: Mapping[str, str]
     defaults: Mapping[str, str] = {}
     choices: Mapping[str, Sequence[str]] = CHOICES
     required: Sequence[str] = ()
+    example: str = ""
 
 
 class Parser:
@@ -135,6 +136,8 @@ class Parser:
 
     def _meant(self, words: list[str]) -> str:
         """What to write where a word stands in the place of the one before it."""
+        if not words and self.usage.example:
+            return f"; write for example {self.program} {self.usage.example}"
         first = self.usage.choices.get(self._places[0], ()) if self._places else ()
         if len(words) != 1 or not first:
             return ""

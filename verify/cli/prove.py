@@ -42,7 +42,8 @@ USAGE = Usage(
         "-v, --verbose": "also the numbers of each row",
         **JSON,
         **COLOR,
-    }
+    },
+    example="agm",
 )
 
 

@@ -8,7 +8,8 @@ import sys
 from collections.abc import Mapping
 
 from verify.cli.files import test_folder, write_all
-from verify.cli.options import Options, Usage
+from verify.cli.made import DIFFERS, SAME, STALE, WRITTEN, Made
+from verify.cli.options import JSON, Options, Usage
 from verify.cli.steps import Steps
 from verify.cli.terminal import erase
 from verify.language.record import TYPE_CHECKING
@@ -18,6 +19,8 @@ from verify.wire.inputs import InputError, regular_file, shown
 if TYPE_CHECKING:
     from typing import Any
 
+#: The exit code of input that cannot be used.
+UNUSABLE = 2
 #: What is compared.
 PAGES = ("index.html", "constants.tex")
 #: Where the pages are that lead on from the first one; nothing else is there.
@@ -29,6 +32,7 @@ USAGE = Usage(
         "--directory DIR": "where the certificates are and the report goes (default certificates)",
         "--compare": "write nothing and draw nothing: exit 1 if anything but the drawings "
         "themselves would change",
+        **JSON,
     },
     {"directory": "certificates"},
 )
@@ -49,12 +53,15 @@ def run(options: Options) -> int:
     from verify.paper.commands.report_files import CertificateError
     from verify.views.page.build import files
 
+    told = Made("report", options)
     try:
         progress = Steps(number_of_steps(options.directory, draw=not options.compare))
         material = read_material(options.directory, progress)
     except CertificateError as error:
+        if error.code == UNUSABLE:
+            raise InputError(str(error)) from error
         print(f"verify: {error}", file=sys.stderr)
-        return error.code
+        return told.end(error.code, str(error))
     if not options.compare:
         progress("drawing")
     made = files(material, draw=not options.compare)
@@ -64,27 +71,28 @@ def run(options: Options) -> int:
         for name in _old_pages(options.directory) - made.keys():
             os.remove(os.path.join(options.directory, name))
         for name in made:
-            print(f"written  {os.path.join(options.directory, name)}")
-        return 0
-    differing = _differing(options.directory, made)
-    return 1 if _stale(options.directory, material.measurements) or differing else 0
+            told(WRITTEN, os.path.join(options.directory, name))
+        return told.end(0)
+    differing = _differing(options.directory, made, told)
+    stale = _stale(options.directory, material.measurements, told)
+    return told.end(1 if stale or differing else 0)
 
 
-def _differing(directory: str, made: Mapping[str, bytes]) -> int:
+def _differing(directory: str, made: Mapping[str, bytes], told: Made) -> int:
     """How many of the files differ, or are there and no longer made; each has been told."""
     differing = 0
     for name, content in made.items():
         path = os.path.join(directory, name)
         same = without_drawings(_read(path)) == without_drawings(content)
         differing += not same
-        print(f"{'same' if same else 'DIFFERS':<8} {path}")
+        told(SAME if same else DIFFERS, path)
     for name in sorted(_old_pages(directory) - made.keys()):
         differing += 1
-        print(f"{'DIFFERS':<8} {os.path.join(directory, name)}: no such page is made now")
+        told(DIFFERS, os.path.join(directory, name), "no such page is made now")
     return differing
 
 
-def _stale(directory: str, measurements: Mapping[str, dict[str, Any]]) -> bool:
+def _stale(directory: str, measurements: Mapping[str, dict[str, Any]], told: Made) -> bool:
     """Whether the speeds are not those that `verify bench` measures now; why has been told."""
     if "bench" not in measurements:
         return False
@@ -94,8 +102,8 @@ def _stale(directory: str, measurements: Mapping[str, dict[str, Any]]) -> bool:
     reasons = out_of_date(measurements["bench"])
     if reasons:
         path = os.path.join(folder, "bench.json")
-        told = f"write it anew with verify bench --out {folder}"
-        print(f"STALE    {path}: {'; '.join(reasons)}; {told}")
+        remedy = f"write it anew with verify bench --out {folder}"
+        told(STALE, path, f"{'; '.join(reasons)}; {remedy}")
     return bool(reasons)
 
 

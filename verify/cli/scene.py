@@ -35,9 +35,9 @@ PLOT_DIGITS = 12
 USAGE = Usage(
     {
         "scene": f"a scene file, a folder of them, or an example: {', '.join(SCENES)}",
-        "--digits N": "digits of the time of a collapse, the final angle and the velocities",
-        "--cutoff T": "say after how many collisions less time than T is left to a collapse",
-        "--until T": "follow the particles to this time, also more than three",
+        "--digits N": "of three particles: digits of time, final angle and velocities",
+        "--cutoff T": "of three: after how many collisions less time than T is left to a collapse",
+        "--until T": "follow the particles, three or more, to this time",
         "--collisions N": "how many are followed (default 1000)",
         "--precision BITS": "bits to begin with (default 128)",
         "--max-precision BITS": "last bits (default 4096)",
@@ -52,8 +52,8 @@ USAGE = Usage(
         "--confidence P%": "of the shares in a sample (default 95%)",
         **CERTIFICATE,
         "--csv FILE": "a table with a line for each scene, or for each collision of many particles",
-        "--trajectory FILE": "a table of centres and velocities after each collision",
-        "--plot FILE": "draw it: .svg (a sample, too), .html with an animation",
+        "--trajectory FILE": "of three: a table of centres and velocities after each collision",
+        "--plot FILE": "draw three, or a sample: .svg; three also as .html with an animation",
     },
     {
         "collisions": "1000",
@@ -63,6 +63,7 @@ USAGE = Usage(
         "seed": "1",
         "confidence": "95%",
     },
+    example="bead",
 )
 
 
@@ -126,8 +127,14 @@ def _table_of_many(options: Options) -> dict[str, Any] | None:
     """What is in a file of more particles, walls, gravity or a box; None for a scene of three."""
     if options.at is not None:
         return None
-    from verify.spheres.many.system_file import is_many, table_in  # loaded only where it is used
+    from verify.spheres.many.particles_file import ENDINGS  # loaded only where they are used
+    from verify.spheres.many.system_file import is_many, table_in
 
+    if options.scene.endswith(ENDINGS):
+        raise InputError(
+            f"scene: {shown(options.scene)} is a table of particles, without r; write a scene file "
+            f"with the lines r = 0.03 and particles = {shown(options.scene)}"
+        )
     table = table_in(options.scene, read_bytes("scene", options.scene))
     return table if is_many(table) or options.until is not None else None
 

@@ -18,5 +18,5 @@ def sent(outcome: Outcome, files: Mapping[str, bytes], *, markdown: bool) -> dic
     """
     checker = {"check.py": package_files("verify").joinpath("check.py").read_bytes()}
     page = single_page(outcome, PAPER, {**files, **checker})
-    told = {"report.md": report(outcome, PAPER).encode()} if markdown else {}
+    told = {"report.md": report(outcome, PAPER, is_sent=True).encode()} if markdown else {}
     return {**checker, "report.html": page.encode(), **told}

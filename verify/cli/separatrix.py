@@ -13,7 +13,7 @@ from fractions import Fraction
 
 from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_certificate, write_file
-from verify.cli.options import Options, Usage, leave_out
+from verify.cli.options import CERTIFICATE, COLOR, JSON, ROWS, VERBOSE, Options, Usage, leave_out
 from verify.cli.terminal import show
 from verify.language.errors import UnreadError
 from verify.spheres.limit_map import Parameters
@@ -50,7 +50,10 @@ USAGE = Usage(
         "--budget N": "follow at most so many collisions (default 2000000)",
         "--steps N": "with --r A..B: that many values of r (default 5)",
         "--plot FILE": "draw the certified strip, or with --r A..B the curves: a file .svg",
-        **claims.OPTIONS,
+        **{name: f"with --all: {says}" for name, says in {**VERBOSE, **ROWS}.items()},
+        **JSON,
+        **COLOR,
+        **CERTIFICATE,
     }
 )
 

@@ -30,7 +30,7 @@ else:
             fields = tuple(body.get("__annotations__", ()))
             defaults = {field: body[field] for field in fields if field in body}
             body |= {"_last": tuple(defaults.values())}
-            body |= {field: property(itemgetter(i)) for i, field in enumerate(fields)}
+            body |= {f: property(itemgetter(i), doc="An entry.") for i, f in enumerate(fields)}
             body |= {"_fields": fields, "_field_defaults": defaults, "__match_args__": fields}
             return super().__new__(cls, name, bases, body | {"__slots__": ()})
 

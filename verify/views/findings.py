@@ -96,11 +96,27 @@ class AtMasses(Record):
     middles: tuple[AboutMiddle, ...]
 
 
+VECTORS = ("vector_0", "vector_plus")
+
+
 class Rectangle(Record):
     """Enclosures of the real and the imaginary part of a complex number: balls, or intervals."""
 
     real: Any
     imaginary: Any
+
+    def __str__(self) -> str:
+        return complex_told(str(self.real), str(self.imaginary))
+
+
+def complex_told(real: str, imaginary: str) -> str:
+    """A complex number from its parts: 1, or 0.105… - i 0.245…."""
+    if imaginary == "0":
+        return real
+    if imaginary.startswith("["):
+        return f"{real} + i {imaginary}"
+    sign = "-" if imaginary.startswith("-") else "+"
+    return f"{real} {sign} i {imaginary.removeprefix('-')}"
 
 
 class Spectrum(Record):
@@ -119,6 +135,12 @@ class Spectrum(Record):
     argument: Any
     vector_0: tuple[Any, ...]
     vector_plus: tuple[Rectangle, ...]
+
+    def __str__(self) -> str:
+        told = {name: getattr(self, name) for name in ("lambda_0", "plus", "modulus", "argument")}
+        lines = [f"{name} = {value}" for name, value in told.items()]
+        vectors = [f"{name} = ({', '.join(map(str, getattr(self, name)))})" for name in VECTORS]
+        return "\n".join((f"r = {self.r}", *lines, *vectors))
 
     @property
     def parts(self) -> list[Any]:

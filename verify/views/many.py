@@ -37,9 +37,9 @@ def many_lines(found: Ending, shown: Callable[[Ends], list[str]]) -> Iterator[st
     unit = f" {labels.time_unit}" if labels.time_unit else ""
     if labels.title:
         yield labels.title
-    after = f"after {count} collision{'' if count == 1 else 's'} of {found.system.number} balls"
+    after = f"after {_collisions(count)} of {found.system.number} balls"
     if found.verdict == UNDECIDED:
-        yield f"undecided: {found.says}; certain: {count} collisions"
+        yield f"undecided: {found.says}; {_certain(found, unit)}"
         return
     yield f"{found.verdict}: {found.says}, {after}"
     if found.verdict == RESTS:
@@ -52,6 +52,17 @@ def many_lines(found: Ending, shown: Callable[[Ends], list[str]]) -> Iterator[st
     if found.place:
         rows = ["[{}, {}]".format(*shown(e)) if found.angle else short(e) for e in found.place]
         yield f"ball {found.members[0]} is then at {' x '.join(rows)}"
+
+
+def _collisions(count: int) -> str:
+    return f"{count} collision{'' if count == 1 else 's'}"
+
+
+def _certain(found: Ending, unit: str) -> str:
+    """How many collisions are certain, and when the last of them was."""
+    impacts = list(found.impacts())
+    last = f", the last at the time {short(impacts[-1].time)}{unit}" if impacts else ""
+    return f"certain: {_collisions(len(impacts))}{last}"
 
 
 def origin_lines(found: Ending, certificate: str) -> Iterator[str]:

@@ -5,7 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from verify.language.statement import Always, Applies, Constant, Obligation, Variable
+from verify.language.statement import (
+    NEEDED,
+    PRINTED,
+    Always,
+    Applies,
+    Constant,
+    Obligation,
+    Variable,
+)
 from verify.language.terms import Claim, Term, symbol
 from verify.language.typeset import LONG, Typesetter
 from verify.prover.outcome import Decision, Outcome
@@ -42,10 +50,11 @@ def _brief(text: str) -> str:
     return text if len(text) <= words.MAX_FORMULA else LONG
 
 
-def report(outcome: Outcome, paper: Publication) -> str:
-    """The whole report, ending with a line feed."""
+def report(outcome: Outcome, paper: Publication, *, is_sent: bool = False) -> str:
+    """The whole report, ending with a line feed; the checker is beside it where it is sent."""
     texts = Texts(words.letters(outcome))
-    found: Any = markdown_template("report.j2").make_module(content(outcome, paper, texts))
+    told = content(outcome, paper, texts) | {"is_sent": is_sent}
+    found: Any = markdown_template("report.j2").make_module(told)
     return apart(str(found.report()))
 
 
@@ -74,7 +83,9 @@ def content(outcome: Outcome, paper: Publication, write: Any) -> dict[str, Any]:
                 write.letter(one),
                 "" if typesetter.term(symbol(one.name)) == one.name else group,
             )
-            yield letter, group, words.ends_told(ends), definition, least
+            # A scene asks for few enclosures; a number without one need not be undefined.
+            value = "" if ends is None else words.ends_told(ends)
+            yield letter, group, value, definition, least
 
     return {
         "blocks": write.blocks,
@@ -84,7 +95,13 @@ def content(outcome: Outcome, paper: Publication, write: Any) -> dict[str, Any]:
         "changes": paper.notes().changes if main else (),
         "verdict": words.verdict_text(outcome, paper),
         "numbers": in_numbers(outcome) if REPAIRED in words.groups(outcome) else None,
+        "needed": words.counts(outcome, NEEDED),
+        "beside": words.counts(outcome, PRINTED),
         "groups": words.groups(outcome),
+        "parameters": [
+            (write.term(symbol(name)), write.term(value))
+            for name, value in words.parameters_of(outcome).items()
+        ],
         "constants": list(constants()),
         "printed": paper.printed,
         "claim": write.claim,
@@ -94,4 +111,5 @@ def content(outcome: Outcome, paper: Publication, write: Any) -> dict[str, Any]:
         "short_name": words.short_name,
         "verdict_of": lambda row, found: verdict_of(outcome, row, found),
         "files": {},
+        "is_sent": False,
     }

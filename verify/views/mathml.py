@@ -28,7 +28,7 @@ _GREEK = {
 }  # fmt: skip
 #: A name that stands in place of a letter, as it is.
 AS_IT_IS = re.compile(r"\\texttt\{([A-Za-z0-9_.:-]+)\}", re.ASCII)
-_TOKEN = re.compile(r"\\[A-Za-z]+|[A-Za-z]|[0-9]+|[_^{}|*+()/,'-]")
+_TOKEN = re.compile(r"\\[A-Za-z]+|[A-Za-z]{3,}|[A-Za-z]|[0-9]+|[_^{}|*+()/,'-]")
 
 
 class MathML:
@@ -242,7 +242,10 @@ def _token(text: str) -> str:
 
 
 def _spelled(name: str) -> str:
-    """``alpha_0``, ``W_s`` or ``map.kappa`` as LaTeX; longer words stay upright."""
+    """``alpha_0``, ``W_s``, ``map.kappa`` or ``x.2.1`` as LaTeX; longer words stay upright."""
+    if numbered := re.fullmatch(r"(?:.*[.:-])?([A-Za-z]+)((?:\.[0-9]+)+)", name):
+        indices = numbered[2][1:].replace(".", ",")
+        return f"{_spelled(numbered[1])}_{{{indices}}}"
     own = re.split(r"[.-]", name)[-1]
     parts = [f"\\{part}" if part in _GREEK else part for part in own.split("_")]
     head, *rest = parts

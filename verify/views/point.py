@@ -276,7 +276,7 @@ def printed_lines(verdicts: Mapping[str, str], paper: Publication) -> Iterator[s
     if "set" in verdicts:
         yield (
             f"  With >, its set as printed: {verdicts['set']} (certificates/printed-set) where "
-            "d₀, η_s > 0; for an interior it needs room for the angle (Θ/6)"
+            "d₀, η_s > 0; for an interior it needs room for the angle: Θ/6, Θ = 3 ζ̄ η̄/V₁^{1/2}"
         )
 
 

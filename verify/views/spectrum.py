@@ -12,7 +12,7 @@ from verify.prover.decimals import exact_number, outward, rational_text, short
 from verify.prover.outcome import Outcome
 from verify.publication import Publication
 from verify.views.document import claims_document
-from verify.views.findings import Rectangle, Spectrum
+from verify.views.findings import Rectangle, Spectrum, complex_told
 from verify.views.words import summary
 
 FORMAT = "verify-spectrum/1"
@@ -87,11 +87,4 @@ def _short(ball: Ball) -> str:
 
 
 def _complex(value: Rectangle) -> str:
-    """A complex number: 1, or 0.105… - 0.245… i."""
-    real, imaginary = _short(value.real), _short(value.imaginary)
-    if imaginary == "0":
-        return real
-    if imaginary.startswith("["):
-        return f"{real} + i {imaginary}"
-    sign = "-" if imaginary.startswith("-") else "+"
-    return f"{real} {sign} i {imaginary.removeprefix('-')}"
+    return complex_told(_short(value.real), _short(value.imaginary))

@@ -19,6 +19,7 @@ from verify.wire.inputs import InputError, regular_file, shown
 
 MAX_BYTES = 1 << 22
 CSV, XYZ, DUMP = (".csv",), (".xyz", ".extxyz"), (".dump", ".lammpstrj")
+ENDINGS = CSV + XYZ + DUMP
 #: What columns are called.
 PLACES = (("x", "y", "z"), ("xu", "yu", "zu"))
 VELOCITIES = ("vx", "vy", "vz")

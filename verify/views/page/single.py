@@ -32,5 +32,5 @@ def single_page(outcome: Outcome, paper: Publication, files: Mapping[str, bytes]
     """The report as a page; it names the other ``files`` of its folder, with their digests."""
     digests = {name: sha256(data).hexdigest() for name, data in files.items()}
     found = content(outcome, paper, _Formulas(outcome, paper))
-    found |= {"files": digests, "version": __version__, "contents": ()}
+    found |= {"files": digests, "version": __version__, "contents": (), "is_sent": True}
     return in_html("single.j2", found | {"css": Markup(style())})  # noqa: S704

@@ -27,7 +27,7 @@ from verify.views.plots.drawing import standalone, svg
 from verify.views.plots.letters import letters_drawing
 from verify.views.plots.shapes import Figure, Panel
 from verify.views.point import causes, in_numbers, place
-from verify.views.typesetting import in_html
+from verify.views.template import in_html
 
 TITLE = "Three particles collapse: what is proved"
 #: The style sheet of all pages, with their font.

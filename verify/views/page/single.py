@@ -2,35 +2,93 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from hashlib import sha256
-
-from markupsafe import Markup
+from html import escape
 
 from verify import __version__
-from verify.language.statement import Constant, Variable
-from verify.language.terms import symbol
-from verify.prover.outcome import Outcome
-from verify.publication import Publication
-from verify.views.markdown import content
+from verify.language.record import TYPE_CHECKING
+from verify.views import html
+from verify.views.markdown import Report
 from verify.views.page.rows import Math, Writer
 from verify.views.page.style import style
-from verify.views.typesetting import in_html
+from verify.views.typesetting import Marked, in_a_line, prose, unset
 
-
-class _Formulas(Writer):
-    """Formulas as MathML, where that can be read."""
-
-    blocks = "html.j2"
-
-    def letter(self, one: Constant | Variable) -> Math:
-        """The letter of a constant or a variable."""
-        return self.term(symbol(one.name))
+if TYPE_CHECKING:
+    from verify.language.statement import Always, Applies
+    from verify.language.terms import Claim, Term
+    from verify.prover.outcome import Outcome
+    from verify.publication import Publication
 
 
 def single_page(outcome: Outcome, paper: Publication, files: Mapping[str, bytes]) -> str:
     """The report as a page; it names the other ``files`` of its folder, with their digests."""
-    digests = {name: sha256(data).hexdigest() for name, data in files.items()}
-    found = content(outcome, paper, _Formulas(outcome, paper))
-    found |= {"files": digests, "version": __version__, "contents": ()}
-    return in_html("single.j2", found | {"css": Markup(style())})  # noqa: S704
+    css = f"<style>{style()}body{{display:block}}</style>"
+    return html.page(outcome.statement.title, css, "\n".join(_Page(outcome, paper, files).blocks()))
+
+
+class _Page(Report):
+    """The same in HTML, with formulas as MathML where that can be read."""
+
+    def __init__(self, outcome: Outcome, paper: Publication, files: Mapping[str, bytes]) -> None:
+        super().__init__(outcome, paper)
+        self._writer, self._files = Writer(outcome, paper), files
+
+    def _words(self, text: str) -> str:
+        """Words as a sentence; as they are where they are somebody else's."""
+        return prose(in_a_line(text)) if self._about else unset(in_a_line(text))
+
+    def _code(self, text: str) -> Marked:
+        return Marked(f"<code>{escape(in_a_line(text))}</code>")
+
+    def _strong(self, text: str) -> Marked:
+        return Marked(f"<strong>{self._line(text)}</strong>")
+
+    def _emphasis(self, text: str) -> Marked:
+        return Marked(f"<em>{self._line(text)}</em>")
+
+    def _verdict(self, word: str) -> Marked:
+        return html.verdict(word)
+
+    def _claim(self, claim: Claim | Applies | Always) -> Marked:
+        return self._math(self._writer.claim(claim))
+
+    def _term(self, term: Term, before: str = "") -> Marked:
+        return self._math(self._writer.term(term, before))
+
+    def _math(self, formula: Math) -> Marked:
+        return Marked(f'<span class="math">{formula.mathml or self._words(formula.text)}</span>')
+
+    def _title(self, text: str) -> str:
+        return f'<h1 id="title">{self._line(text)}</h1>'
+
+    def _heading(self, name: str, *parts: str) -> str:
+        return f'<h2 id="{escape(name)}">{self._line(*parts)}</h2>'
+
+    def _paragraph(self, *parts: str) -> str:
+        return f"<p>{self._line(*parts)}</p>"
+
+    def _items(self, lines: Iterable[str]) -> str:
+        found = "".join(f"<li>{line}</li>" for line in lines)
+        return f"<ul>{found}</ul>" if found else ""
+
+    def _grid(
+        self, head: Sequence[str], rows: Iterable[Iterable[str]], blocks: bool = False
+    ) -> str:
+        return html.grid(head, [[self._line(cell) for cell in row] for row in rows], "", blocks)
+
+    def _how_to_check(self) -> str:
+        how = "Check it with nothing but Python 3.11 or newer, in the folder of this page: "
+        return self._paragraph(how, self._code("python3 -I check.py ."))
+
+    def _trust(self) -> Iterator[str]:
+        yield from super()._trust()
+        yield self._heading("files", "The files of this folder")
+        yield self._paragraph(
+            "Whoever does not trust the sender takes check.py from elsewhere: verify-collapse "
+            f"{__version__} has it as ",
+            self._code("verify/check.py"),
+            ". SHA-256:",
+        )
+        rows = ((name, sha256(data).hexdigest()) for name, data in self._files.items())
+        yield self._grid(["File", "SHA-256"], [map(self._code, row) for row in rows])

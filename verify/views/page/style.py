@@ -6,8 +6,8 @@ import os
 from base64 import b64encode
 from importlib.resources import files as package_files
 
+from verify.views.html import TEMPLATES
 from verify.views.plots.drawing import SCHEMES
-from verify.views.typesetting import TEMPLATES
 
 
 def font_bytes() -> bytes:

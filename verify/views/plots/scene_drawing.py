@@ -79,7 +79,7 @@ def _at(place: Sequence[float]) -> Point:
 
 def scene_page(told: Told, steps: Iterable[Step]) -> str:
     """The file."""
-    from verify.views.typesetting import in_html  # loads the templates' library
+    from verify.views.template import in_html  # loads the templates' library
 
     path = legs(told, steps, most=60)
     points = [p for leg in path for p in leg.places]

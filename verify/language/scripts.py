@@ -23,6 +23,8 @@ _NAME = re.compile(
     r"(?![a-z][A-Z]_)[A-Za-z]{2,}_[A-Za-z0-9_]+(-[A-Za-z0-9_]+)*|[A-Za-z]_\w+(-\w+)*-[A-Za-z]{3,}(-\w+)*",
     re.ASCII,
 )
+#: Words in which nothing is, or begins, an index, a power, a prime or a bar, with the blanks after.
+_PLAIN = re.compile(rf"(?:[^\s_^'′{_BAR}{''.join([*RAISED, *LOWERED])}]*+(?:\s+|\Z))+")
 _WORD = re.compile(r"[a-z](?=[A-Z]_)|[A-Za-z]+|[0-9]+|.", re.ASCII | re.DOTALL)
 #: An index without braces: a word, a number, one letter of another alphabet, or a sign.
 _INDEX = re.compile(r"[A-Za-z]+|[0-9]+|[^\W\d_]|[⁺⁻±∞]")
@@ -45,7 +47,8 @@ def pieces(text: str) -> Pieces:
     found: list[str | Scripted] = []
     at = 0
     while at < len(text):
-        piece, at = _piece(text, at)
+        plain = _PLAIN.match(text, at)
+        piece, at = (plain[0], plain.end()) if plain else _piece(text, at)
         if isinstance(piece, str) and found and isinstance(found[-1], str):
             found[-1] += piece
         else:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Sequence
 from html import escape
 
 from verify.views.typesetting import Marked, printable, prose
 
-TEMPLATES = os.path.join(os.path.dirname(__file__), "templates")
 #: So many letters in a line fit a phone.
 NARROW = 36
 #: What tells verdicts apart without colour.

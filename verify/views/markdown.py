@@ -18,6 +18,7 @@ from verify.views.typesetting import Marked, in_a_line
 if TYPE_CHECKING:
     from verify.language.statement import Always, Applies, Assumption, Context, Obligation
     from verify.language.terms import Claim, Term
+    from verify.language.typeset import Typesetter
     from verify.prover.outcome import Decision, Outcome
     from verify.publication import Publication
 
@@ -29,15 +30,15 @@ _BEGINS = re.compile(r"(?=[-#>+*=~`|_\[])|[0-9]+(?=[.)])")
 
 def report(outcome: Outcome, paper: Publication) -> str:
     """The whole report, ending with a line feed."""
-    return re.sub("\n{3,}", "\n\n", "".join(Report(outcome, paper).blocks())).lstrip("\n")
+    written = Report(outcome, paper, words.letters(outcome)).blocks()
+    return re.sub("\n{3,}", "\n\n", "".join(written)).lstrip("\n")
 
 
 class Report:
     """A report, in Markdown; whatever is no `Marked` is words, which can make no markup."""
 
-    def __init__(self, outcome: Outcome, paper: Publication) -> None:
-        self._outcome, self._paper = exactly(outcome), paper
-        self._letters = words.letters(outcome)
+    def __init__(self, outcome: Outcome, paper: Publication, letters: Typesetter) -> None:
+        self._outcome, self._paper, self._letters = exactly(outcome), paper, letters
         self._about = words.is_about(outcome, paper)
 
     # --- how it is written ---

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache, partial
@@ -28,7 +29,7 @@ def _environment(*filters: Callable[..., Any]) -> Environment:
     found = Environment(
         autoescape=True,
         finalize=lambda found: printable(found) if type(found) is str else found,
-        loader=FileSystemLoader(html.TEMPLATES),
+        loader=FileSystemLoader(os.path.join(os.path.dirname(__file__), "templates")),
         undefined=StrictUndefined,
         extensions=["jinja2.ext.do"],
         trim_blocks=True,

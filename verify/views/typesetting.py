@@ -45,14 +45,20 @@ def _line(found: Pieces) -> str:
 def _scripted(piece: Scripted) -> str:
     """A letter with what is below and above it; digits are small signs of their own."""
     text = escape(piece.base) + ("\u0304" if piece.bar else "")
-    for tag, content, small in (("sub", piece.lower, LOWERED), ("sup", piece.upper, RAISED)):
-        signs = {sign: mark for mark, sign in small.items()} | {"′": "′"}
+    for tag, content, small in (("sub", piece.lower, _BELOW), ("sup", piece.upper, _ABOVE)):
         inner = "".join(part for part in content if isinstance(part, str))
-        if content == (inner,) and signs.keys() >= {*inner} - {"n"} and "n" not in inner:
-            text += "".join(signs[sign] for sign in inner)
+        if content == (inner,) and small.keys() >= {*inner}:
+            text += "".join([small[sign] for sign in inner])
         elif content:
             text += f"<{tag}>{_line(content)}</{tag}>"
     return text
+
+
+#: The small signs by what they are in line; a small n is none that is shown.
+_BELOW, _ABOVE = (
+    {sign: mark for mark, sign in small.items() if sign != "n"} | {"′": "′"}
+    for small in (LOWERED, RAISED)
+)
 
 
 def powers(text: str) -> str:

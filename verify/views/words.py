@@ -263,13 +263,20 @@ def groups(outcome: Outcome) -> list[str]:
 
 def letters(outcome: Outcome) -> Typesetter:
     """A typesetter in the paper's letters."""
-    names = {name: letter for name, (letter, _) in letters_apart(outcome.statement).items()}
-    return Typesetter(names | parameter_letters(outcome))
+    return letters_and_tex(outcome)[0]
 
 
 def tex_letters(outcome: Outcome) -> dict[str, str]:
     """The letters of all constants and variables in LaTeX."""
-    return {name: tex for name, (_, tex) in letters_apart(outcome.statement).items()}
+    return letters_and_tex(outcome)[1]
+
+
+def letters_and_tex(outcome: Outcome) -> tuple[Typesetter, dict[str, str]]:
+    """Both."""
+    found = letters_apart(outcome.statement)
+    names = {name: letter for name, (letter, _) in found.items()}
+    tex = {name: tex for name, (_, tex) in found.items()}
+    return Typesetter(names | parameter_letters(outcome)), tex
 
 
 def parameter_letters(outcome: Outcome) -> dict[str, str]:

@@ -68,9 +68,9 @@ class Writer:
 
     def __init__(self, outcome: Outcome, paper: Publication) -> None:
         self.outcome, self.notes = outcome, paper.notes()
-        self.typesetter = words.letters(outcome)
+        self.typesetter, tex = words.letters_and_tex(outcome)
         of_parameters = {"c": r"(-\cos\theta_0)"} if outcome.statement.parameters else {}
-        self._mathml = MathML(words.tex_letters(outcome) | of_parameters)
+        self._mathml, self._simple = MathML(tex | of_parameters), dict[Term, Term]()
         self._rows = {row.name: (row, found) for row, found in outcome.rows}
 
     def claim(self, claim: Claim | Applies | Always) -> Math:
@@ -79,7 +79,7 @@ class Writer:
         if LONG in text:
             return Math("", text)
         if isinstance(claim, Claim):
-            claim = simplified_claim(claim)
+            claim = simplified_claim(claim, self._simple)
             text = self.typesetter.claim(claim)
         if len(text) > words.MAX_FORMULA or not isinstance(claim, Claim):
             return Math("", text if len(text) <= words.MAX_FORMULA else LONG)

@@ -11,7 +11,7 @@ from verify.language.record import TYPE_CHECKING
 from verify.views import html
 from verify.views.markdown import Report
 from verify.views.page.rows import Math, Writer
-from verify.views.page.style import style
+from verify.views.style import style
 from verify.views.typesetting import Marked, in_a_line, prose, unset
 
 if TYPE_CHECKING:
@@ -31,8 +31,8 @@ class _Page(Report):
     """The same in HTML, with formulas as MathML where that can be read."""
 
     def __init__(self, outcome: Outcome, paper: Publication, files: Mapping[str, bytes]) -> None:
-        super().__init__(outcome, paper)
         self._writer, self._files = Writer(outcome, paper), files
+        super().__init__(outcome, paper, self._writer.typesetter)
 
     def _words(self, text: str) -> str:
         """Words as a sentence; as they are where they are somebody else's."""
@@ -75,7 +75,8 @@ class _Page(Report):
     def _grid(
         self, head: Sequence[str], rows: Iterable[Iterable[str]], blocks: bool = False
     ) -> str:
-        return html.grid(head, [[self._line(cell) for cell in row] for row in rows], "", blocks)
+        cells = [[c if type(c) is Marked else self._line(c) for c in row] for row in rows]
+        return html.grid(head, cells, "", blocks)
 
     def _how_to_check(self) -> str:
         how = "Check it with nothing but Python 3.11 or newer, in the folder of this page: "

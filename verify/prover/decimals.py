@@ -119,11 +119,16 @@ def short(ends: tuple[Fraction, Fraction], digits: int = 8) -> str:
         a, b, exponent = _cut(a), _cut(b), exponent + 1
     if abs(a) < 10 ** (min(AGREEING, digits) - 1):
         return both_ends(ends)
+    return _cut_off(a, exponent)
+
+
+def _cut_off(mantissa: int, exponent: int) -> str:
+    """The first digits of a number."""
     if exponent <= 0:
-        return people(decimal_text(a, exponent), "…")
-    head, rest = str(abs(a))[0], str(abs(a))[1:]  # in 99000… the zeros would be digits, too
-    digits_shown = f"{head}.{rest}" if rest else head
-    return people(f"{'-' if a < 0 else ''}{digits_shown}e{exponent + len(rest)}", "…")
+        return people(decimal_text(mantissa, exponent), "…")
+    head, rest = str(abs(mantissa))[0], str(abs(mantissa))[1:]  # the zeros of 99000… were digits
+    shown = f"{head}.{rest}" if rest else head
+    return people(f"{'-' if mantissa < 0 else ''}{shown}e{exponent + len(rest)}", "…")
 
 
 def near_decimal(ends: tuple[Fraction, Fraction]) -> Fraction | None:
@@ -146,14 +151,17 @@ def both_ends(ends: tuple[Fraction, Fraction]) -> str:
 
     Around a short decimal: this, and a power of ten that it differs from it at most.
     """
-    low, high = ends
+    digits = min(max(AGREEING, _telling(*ends)), DIGITS)
+    return _around(ends) or f"[{', '.join(map(people, outward(ends, digits)))}]"
+
+
+def _around(ends: tuple[Fraction, Fraction]) -> str:
     near = near_decimal(ends)
-    if near is not None:
-        most = max(near - low, high - near)
-        exponent = decimal_exponent(most) + (most != Fraction(10) ** decimal_exponent(most))
-        return f"{exact_number(near)} ± {people(decimal_text(1, exponent))}"
-    digits = min(max(AGREEING, _telling(low, high)), DIGITS)
-    return f"[{', '.join(map(people, outward(ends, digits)))}]"
+    if near is None:
+        return ""
+    most = max(near - ends[0], ends[1] - near)
+    exponent = decimal_exponent(most) + (most != Fraction(10) ** decimal_exponent(most))
+    return f"{exact_number(near)} ± {people(decimal_text(1, exponent))}"
 
 
 def rounded_inwards(ends: tuple[Fraction, Fraction], digits: int) -> list[str]:
@@ -196,12 +204,12 @@ def as_one_or_two(
     little is known of them that they have no digits in common.
     """
     texts = told_apart(left, right, digits)
-    if texts[0] != texts[1] and (left[1] < right[0] or right[1] < left[0]):
+    near = max(right[0] - left[1], left[0] - right[1])
+    if near > 0 and texts[0] != texts[1]:
         return texts
     common = short((min(left[0], right[0]), max(left[1], right[1])), digits)
     if common.startswith("["):
         return texts
-    near = max(right[0] - left[1], left[0] - right[1])
     far = max(right[1] - left[0], left[1] - right[0])
     if far == 0:
         return (f"{common}, exactly equal",) if common.endswith("…") else texts
@@ -213,13 +221,12 @@ def as_one_or_two(
 def _to_digits(ends: tuple[Fraction, Fraction], digits: int) -> str:
     """An enclosure in short with all these digits, if it has as many; else nothing."""
     low, high = ends
-    if near_decimal(ends) is not None:
-        return both_ends(ends)
-    if low == high or (low and high and decimal_exponent(low) == decimal_exponent(high)):
-        exponent = decimal_exponent(low or Fraction(1)) - digits + 1
-        if _towards_zero(low, exponent) == _towards_zero(high, exponent):
-            return short(ends, digits)
-    return ""
+    if low == high:
+        return short(ends, digits)
+    exponent = decimal_exponent(low or high) - digits + 1
+    shown = _towards_zero(low, exponent)
+    agree = shown == _towards_zero(high, exponent)
+    return _around(ends) or (_cut_off(shown, exponent) if agree else "")
 
 
 def _shows(

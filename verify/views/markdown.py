@@ -50,6 +50,9 @@ class Report:
         found = [part if type(part) is Marked else self._words(part) for part in parts]
         return Marked("".join(found).strip(" "))
 
+    def _numbers(self, text: str) -> str:
+        return text
+
     def _code(self, text: str) -> Marked:
         """Words between backticks, where only a backtick means something else."""
         return Marked(f"`{in_a_line(text).strip(' ').replace('`', chr(39))}`")
@@ -149,7 +152,7 @@ class Report:
         """The numbers that show a row, or the values at which it is false."""
         numbers = words.sides_told(row, found)
         if numbers or not found.witness:
-            return numbers
+            return self._numbers(numbers)
         return f"at {words.values_told(found.witness, self._letters)}"
 
     def _refuted(self) -> Iterator[list[str]]:

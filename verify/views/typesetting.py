@@ -35,6 +35,11 @@ def prose(text: str) -> str:
     return powers(_line(pieces(_MINUS.sub("−", text))))
 
 
+def numbers(text: str) -> str:
+    """The same of numbers, in which nothing else is small."""
+    return powers(escape(_MINUS.sub("−", text), quote=False))
+
+
 def _line(found: Pieces) -> str:
     return "".join(
         _scripted(piece) if isinstance(piece, Scripted) else escape(piece, quote=False)
@@ -92,11 +97,9 @@ _TAGS = re.compile(r"(<(?:code|data|math)[ >].*?</(?:code|data|math)>|<[^>]*>)",
 
 def in_a_line(text: str) -> str:
     """A text without the line breaks and the indentation with which it is written."""
-    return _BLANKS.sub(" ", printable(text))
-
-
-#: More than a space.
-_BLANKS = re.compile("[ \n]{2,}|\n")
+    if "  " not in text and text.isprintable():
+        return text
+    return re.sub("[ \n]+", " ", printable(text))
 
 
 def printable(text: str) -> str:

@@ -266,16 +266,10 @@ def letters(outcome: Outcome) -> Typesetter:
     return letters_and_tex(outcome)[0]
 
 
-def tex_letters(outcome: Outcome) -> dict[str, str]:
-    """The letters of all constants and variables in LaTeX."""
-    return letters_and_tex(outcome)[1]
-
-
 def letters_and_tex(outcome: Outcome) -> tuple[Typesetter, dict[str, str]]:
-    """Both."""
-    found = letters_apart(outcome.statement)
-    names = {name: letter for name, (letter, _) in found.items()}
-    tex = {name: tex for name, (_, tex) in found.items()}
+    """The same, and the letters of all constants and variables in LaTeX."""
+    found = letters_apart(outcome.statement).items()
+    names, tex = ({name: letters[i] for name, letters in found} for i in (0, 1))
     return Typesetter(names | parameter_letters(outcome)), tex
 
 

@@ -75,16 +75,17 @@ class Writer:
 
     def claim(self, claim: Claim | Applies | Always) -> Math:
         """A claim, unless it is too long to be read; in letters only if no line can break in it."""
-        text = self.typesetter.claim(claim)
-        if LONG in text:
-            return Math("", text)
+        if self.typesetter.lengths.is_long_claim(claim):
+            return Math("", LONG)
         if isinstance(claim, Claim):
             claim = simplified_claim(claim, self._simple)
-            text = self.typesetter.claim(claim)
+        text = self.typesetter.claim(claim)
         if len(text) > words.MAX_FORMULA or not isinstance(claim, Claim):
             return Math("", text if len(text) <= words.MAX_FORMULA else LONG)
-        widest = max(len(self.typesetter.term(part)) for part in summands(claim))
-        return Math(self._mathml.claim(claim) if widest <= WIDEST else "", text)
+        is_wide = len(text) > WIDEST and any(
+            len(self.typesetter.term(part)) > WIDEST for part in summands(claim)
+        )
+        return Math("" if is_wide else self._mathml.claim(claim), text)
 
     def term(self, term: Term, before: str = "") -> Math:
         """A term after a relation."""

@@ -12,7 +12,7 @@ from verify.views import html
 from verify.views.markdown import Report
 from verify.views.page.rows import Math, Writer
 from verify.views.style import style
-from verify.views.typesetting import Marked, in_a_line, prose, unset
+from verify.views.typesetting import Marked, in_a_line, numbers, prose, unset
 
 if TYPE_CHECKING:
     from verify.language.statement import Always, Applies
@@ -37,6 +37,10 @@ class _Page(Report):
     def _words(self, text: str) -> str:
         """Words as a sentence; as they are where they are somebody else's."""
         return prose(in_a_line(text)) if self._about else unset(in_a_line(text))
+
+    def _numbers(self, text: str) -> Marked:
+        """What has no letters has no indices, either."""
+        return Marked(numbers(text) if self._about else unset(text))
 
     def _code(self, text: str) -> Marked:
         return Marked(f"<code>{escape(in_a_line(text))}</code>")

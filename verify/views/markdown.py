@@ -57,11 +57,9 @@ class Report:
         """Words between backticks, where only a backtick means something else."""
         return Marked(f"`{in_a_line(text).strip(' ').replace('`', chr(39))}`")
 
-    def _strong(self, text: str) -> Marked:
-        return Marked(f"**{self._line(text)}**")
-
-    def _emphasis(self, text: str) -> Marked:
-        return Marked(f"*{self._line(text)}*")
+    def _in(self, tag: str, text: str) -> Marked:
+        around = {"strong": "**", "em": "*"}[tag]
+        return Marked(f"{around}{self._line(text)}{around}")
 
     def _verdict(self, word: str) -> Marked:
         return Marked(word)
@@ -72,11 +70,11 @@ class Report:
     def _term(self, term: Term, before: str = "") -> str:
         return f"{before} {_brief(self._letters.term(term))}".strip()
 
-    def _title(self, text: str) -> str:
-        return f"# {self._line(text)}\n\n"
+    def _letter(self, name: str) -> str:
+        return self._term(symbol(name))
 
-    def _heading(self, _name: str, *parts: str) -> str:
-        return f"\n## {self._line(*parts)}\n\n"
+    def _heading(self, _name: str, *parts: str, level: int = 2) -> str:
+        return f"\n{'#' * level} {self._line(*parts)}\n\n"
 
     def _paragraph(self, *parts: str) -> str:
         line = self._line(*parts)
@@ -92,17 +90,18 @@ class Report:
     ) -> str:
         cells = ([self._line(cell).replace("|", "\\|") for cell in row] for row in rows)
         lines = "".join(f"| {' | '.join(row)} |\n" for row in cells)
-        return f"\n| {' | '.join(head)} |\n|{'---|' * len(head)}\n{lines}"
+        return f"\n| {' | '.join(head)} |\n|{'---|' * len(head)}\n{lines}" if lines else ""
 
     # --- what it says ---
 
     def blocks(self) -> Iterator[str]:
         """The blocks, in their order."""
         outcome, paper = self._outcome, self._paper
-        yield self._title(outcome.statement.title)
+        yield self._heading("title", outcome.statement.title, level=1)
         if self._about:
-            yield self._paragraph(f"About {paper.authors}, ", self._emphasis(paper.title), ".")
-        yield self._paragraph("Verdict: ", self._strong(words.verdict_text(outcome, paper)), ".")
+            yield self._paragraph(f"About {paper.authors}, ", self._in("em", paper.title), ".")
+        verdict = self._in("strong", words.verdict_text(outcome, paper))
+        yield self._paragraph("Verdict: ", verdict, ".")
         numbers = in_numbers(outcome) if REPAIRED in words.groups(outcome) else None
         if numbers:
             yield self._paragraph(numbers)
@@ -169,41 +168,30 @@ class Report:
         """Letter and group, value, definition or bound of each, and which entry is least."""
         bounds = self._paper.notes().bounds if self._is_main() else {}
         for one in self._outcome.statement.constants:
-            group, ends = one.name.rpartition(".")[0], words.ends_of(self._outcome, one.name)
-            if self._letters.term(symbol(one.name)) == one.name:
-                group = ""
+            is_named = self._letters.term(symbol(one.name)) == one.name
+            group = "" if is_named else one.name.rpartition(".")[0]
+            ends = words.ends_of(self._outcome, one.name)
             sign, bound = bounds.get(one.name, ("=", one))
             least = minimum_of(self._outcome, one).least if one.term.op == "min" else None
-            yield [
-                self._line(self._term(symbol(one.name)), f" ({group})" if group else ""),
-                words.ends_told(ends),
-                self._line(
-                    self._term(bound.term, sign), f" (entry {least} is the least)" if least else ""
-                ),
-            ]
+            letter = self._line(self._letter(one.name), f" ({group})" if group else "")
+            which = f" (entry {least} is the least)" if least else ""
+            yield [letter, words.ends_told(ends), self._line(self._term(bound.term, sign), which)]
 
     def _context(self, one: Context) -> Iterator[str]:
         """What a context assumes: a row of it holds for all values that satisfy its givens."""
         inside = (", inside ", self._code(one.parent)) if one.parent else ()
         yield self._heading(f"context-{one.name}", "Context ", self._code(one.name), *inside)
         yield self._paragraph(one.says)
-        letters = [part for v in one.variables for part in (", ", self._term(symbol(v.name)))]
+        letters = [part for x in one.variables for part in (", ", self._letter(x.name))]
         yield self._paragraph("Variables: ", *(letters[1:] or ["none"]), ".")
-        rows = [
-            [self._code(given.name), self._claim(given.claim), given.assumption or given.kind]
-            for given in one.givens
-        ]
-        if rows:
-            yield self._grid(["Given", "Claim", "Kind"], rows)
-        rows = [
-            [
-                self._line(self._term(symbol(own.name)), " (", self._code(own.name), ")"),
-                self._term(own.term),
-            ]
-            for own in one.constants
-        ]
-        if rows:
-            yield self._grid(["Constant", "Definition"], rows)
+        givens = (
+            (self._code(x.name), self._claim(x.claim), x.assumption or x.kind) for x in one.givens
+        )
+        yield self._grid(["Given", "Claim", "Kind"], givens)
+        own = one.constants
+        named = [self._line(self._letter(x.name), " (", self._code(x.name), ")") for x in own]
+        terms = [self._term(x.term) for x in own]
+        yield self._grid(["Constant", "Definition"], zip(named, terms, strict=True))
 
     def _row(self, one: tuple[Obligation, Decision]) -> list[str]:
         row, found = one

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from base64 import b64encode
+from binascii import b2a_base64
 
 HERE = os.path.dirname(__file__)
 
@@ -39,7 +39,7 @@ def style() -> str:
     )
     with open(os.path.join(HERE, "templates", "style.css"), encoding="utf-8") as file:
         rules = file.read()
-    font = b64encode(font_bytes()).decode()
+    font = b2a_base64(font_bytes(), newline=False).decode()
     return (
         f'@font-face{{font-family:VerifyMath;src:url("data:font/woff;base64,{font}")}}'
         f":root{{{light}}}@media screen and (prefers-color-scheme:dark){{:root{{{dark}}}}}\n{rules}"

@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache, partial
+from html import unescape
 from typing import Any
 
 import markupsafe
@@ -13,7 +14,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 from verify.views import html
-from verify.views.typesetting import Marked, printable, prose, prose_between, raised, unset
+from verify.views.typesetting import Marked, in_a_line, printable, prose, raised, unset
 from verify.views.words import in_letters
 
 Filters = Iterable[Callable[..., Any]]
@@ -47,9 +48,15 @@ def _environment(*filters: Callable[..., Any]) -> Environment:
     return found
 
 
+#: Tags, and elements whose text is set already.
+_TAGS = re.compile(r"(<(?:code|data|math)[ >].*?</(?:code|data|math)>|<[^>]*>)", re.DOTALL)
+
+
 def _line(content: object) -> Marked:
     """A line, with each text between its tags set as a sentence."""
-    return Marked(prose_between(str(markupsafe.escape(content))))
+    parts = _TAGS.split(in_a_line(str(markupsafe.escape(content))).strip(" "))
+    set_ = (part if i % 2 else prose(unescape(part)) for i, part in enumerate(parts))
+    return Marked("".join(set_))
 
 
 def _grid(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
-from html import escape, unescape
+from html import escape
 
 from verify.language.scripts import LOWERED, RAISED, Pieces, Scripted, pieces
 
@@ -91,10 +91,6 @@ def raised(text: str) -> str:
     )
 
 
-#: Tags, and elements whose text is set already.
-_TAGS = re.compile(r"(<(?:code|data|math)[ >].*?</(?:code|data|math)>|<[^>]*>)", re.DOTALL)
-
-
 def in_a_line(text: str) -> str:
     """A text without the line breaks and the indentation with which it is written."""
     if "  " not in text and text.isprintable():
@@ -111,11 +107,3 @@ def _seen(sign: str) -> str:
     if sign.isprintable() or sign in "\n\u00a0":
         return sign
     return " " if sign.isspace() else ascii(sign)[1:-1]
-
-
-def prose_between(markup: str) -> str:
-    """Markup in a line, with each text between its tags set as a sentence."""
-    parts = _TAGS.split(in_a_line(markup).strip(" "))
-    return "".join(
-        part if number % 2 else prose(unescape(part)) for number, part in enumerate(parts)
-    )

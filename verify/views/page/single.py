@@ -45,11 +45,8 @@ class _Page(Report):
     def _code(self, text: str) -> Marked:
         return Marked(f"<code>{escape(in_a_line(text))}</code>")
 
-    def _strong(self, text: str) -> Marked:
-        return Marked(f"<strong>{self._line(text)}</strong>")
-
-    def _emphasis(self, text: str) -> Marked:
-        return Marked(f"<em>{self._line(text)}</em>")
+    def _in(self, tag: str, text: str) -> Marked:
+        return Marked(f"<{tag}>{self._line(text)}</{tag}>")
 
     def _verdict(self, word: str) -> Marked:
         return html.verdict(word)
@@ -63,11 +60,8 @@ class _Page(Report):
     def _math(self, formula: Math) -> Marked:
         return Marked(f'<span class="math">{formula.mathml or self._words(formula.text)}</span>')
 
-    def _title(self, text: str) -> str:
-        return f'<h1 id="title">{self._line(text)}</h1>'
-
-    def _heading(self, name: str, *parts: str) -> str:
-        return f'<h2 id="{escape(name)}">{self._line(*parts)}</h2>'
+    def _heading(self, name: str, *parts: str, level: int = 2) -> str:
+        return f'<h{level} id="{escape(name)}">{self._line(*parts)}</h{level}>'
 
     def _paragraph(self, *parts: str) -> str:
         return f"<p>{self._line(*parts)}</p>"
@@ -80,7 +74,7 @@ class _Page(Report):
         self, head: Sequence[str], rows: Iterable[Iterable[str]], blocks: bool = False
     ) -> str:
         cells = [[c if type(c) is Marked else self._line(c) for c in row] for row in rows]
-        return html.grid(head, cells, "", blocks)
+        return html.grid(head, cells, "", blocks) if cells else ""
 
     def _how_to_check(self) -> str:
         how = "Check it with nothing but Python 3.11 or newer, in the folder of this page: "

@@ -54,3 +54,14 @@ def test_prove_loads_what_the_page_needs(page: str, most: int, long: int, tmp_pa
 def test_a_point_of_theorem_1_loads_a_part_of_the_program() -> None:
     found = loaded("theorem1", "--r", "0.03")
     assert 30 < len(found) <= 46
+
+
+def test_a_page_to_be_sent_needs_no_templates(tmp_path: Path) -> None:
+    """Nor the plots, nor a library that finds files in archives: that took half of the time."""
+    program = PROGRAM.partition("files =")[0] + "print(*sys.modules, file=sys.stderr)"
+    words = ("theorem1", "--r", "0.03", "--out", str(tmp_path / "point"))
+    done = subprocess.run([sys.executable, "-c", program, *words], capture_output=True, cwd=ROOT)
+    found = set(done.stderr.decode().split())
+    assert (tmp_path / "point/report.html").exists()
+    assert "verify.views.page.single" in found
+    assert not found & {"jinja2", "markupsafe", "importlib.resources", "verify.views.plots"}

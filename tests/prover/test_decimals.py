@@ -253,3 +253,23 @@ def test_a_short_decimal_is_no_interval(low: str, high: str, near: str | None, t
     ends = Fraction(low), Fraction(high)
     assert near_decimal(ends) == (None if near is None else Fraction(near))
     assert short(ends) == text
+
+
+SHORT = st.builds(
+    lambda n, e: n * Fraction(10) ** e, st.integers(-(10**12), 10**12), st.integers(-30, 20)
+)
+
+
+@given(SHORT | fractions, st.integers(20, 30), st.integers(0, 9), st.integers(0, 9))
+def test_a_near_decimal_is_found(number: Fraction, places: int, down: int, up: int) -> None:
+    """All decimals of twelve digits beside an enclosure are tried."""
+    width = abs(number) / 10**places
+    low, high = number - down * width, number + up * width
+    size = max(abs(low), abs(high))
+    found = []
+    if 0 < (high - low) * 10**24 <= size:
+        unit = Fraction(10) ** (decimal_exponent(size) - 11)
+        least = low // unit
+        found = [n * unit for n in range(least, least + 3) if low <= n * unit <= high]
+    assert near_decimal((low, high)) == (found[0] if found else None)
+    assert len(found) <= 1

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from html import unescape
 from pathlib import Path
 
-from verify.views.page.style import font_bytes
+from verify.views.style import font_bytes
 
 
 def tables(font: bytes) -> dict[str, bytes]:

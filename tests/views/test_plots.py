@@ -27,9 +27,10 @@ from verify.prover.outcome import Decision
 from verify.prover.program import ExactArithmetic, Machine, Program
 from verify.publication import ACCUSATIONS
 from verify.views.plots import figures, margins, region, speed
-from verify.views.plots.drawing import HATCHED, SCHEMES, standalone, svg
+from verify.views.plots.drawing import HATCHED, standalone, svg
 from verify.views.plots.map_picture import png_map
 from verify.views.plots.shapes import Curve, Panel, Rule, Scale, Words, marks, merged, powers
+from verify.views.style import SCHEMES
 
 
 def phi_plus_is_below(q: Fraction, s: Fraction, c: Fraction) -> bool:

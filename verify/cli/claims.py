@@ -99,19 +99,19 @@ def told(outcome: Outcome, options: Options, screen: Iterable[str], *, has_rows:
     Raises:
         InputError: if there is no row of this name.
     """
+    *lines, verdict = screen
+    if options.rows is None and (has_rows or not options.verbose):
+        return [*lines, verdict]
     from verify.paper.source import PAPER  # loaded only where they are used
     from verify.views.row_lists import all_rows, rows_called
     from verify.views.words import taken_on_trust
 
-    *lines, verdict = screen
     if options.rows is not None:
         found = rows_called(outcome, options.rows, PAPER)
         if not found:
             raise no_row(outcome, options.rows)
         return [*found, "", verdict]
-    if options.verbose and not has_rows:
-        lines = [*all_rows(outcome, PAPER), *taken_on_trust(outcome, PAPER), "", *lines]
-    return [*lines, verdict]
+    return [*all_rows(outcome, PAPER), *taken_on_trust(outcome, PAPER), "", *lines, verdict]
 
 
 def no_row(outcome: Outcome, word: str) -> InputError:

@@ -9,6 +9,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from errno import EISDIR
+from functools import cache
 
 from verify.language.errors import UnreadError
 from verify.language.record import TYPE_CHECKING
@@ -276,14 +277,19 @@ def _theorem(path: str) -> str | None:
     Raises:
         ValueError: if the file is no statement.
     """
-    import json  # loaded only where it is used
-
     try:
-        return str(json.loads(regular_file(path, MAX_BYTES))["theorem"])
+        return _theorem_of(regular_file(path, MAX_BYTES))
     except FileNotFoundError:
         return None
     except (ValueError, KeyError, TypeError, RecursionError) as error:
         raise ValueError("its statement.json is no statement") from error
+
+
+@cache  # what is written, or replaced, is looked at twice
+def _theorem_of(statement: bytes) -> str:
+    import json  # loaded only where it is used
+
+    return str(json.loads(statement)["theorem"])
 
 
 def _remove(folder: str) -> None:

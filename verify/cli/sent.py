@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from importlib.resources import files as package_files
 
+from verify import check
 from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
 from verify.views.markdown import report
@@ -16,7 +16,8 @@ def sent(outcome: Outcome, files: Mapping[str, bytes], *, markdown: bool) -> dic
 
     The page has the digests of the checker and of ``files``, which are those of the certificate.
     """
-    checker = {"check.py": package_files("verify").joinpath("check.py").read_bytes()}
+    with open(check.__file__, "rb") as file:
+        checker = {"check.py": file.read()}
     page = single_page(outcome, PAPER, {**files, **checker})
     told = {"report.md": report(outcome, PAPER, is_sent=True).encode()} if markdown else {}
     return {**checker, "report.html": page.encode(), **told}

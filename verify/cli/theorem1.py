@@ -93,18 +93,21 @@ def _point(options: Options) -> int:
     if not more:
         show(screen(outcome, PAPER, as_printed(outcome)), options)
         return outcome.exit_code
-    from verify.cli import claims  # loaded only where they are used
-    from verify.views.document import document
-    from verify.views.enclosures import sharpened
-    from verify.views.table import report_lines
+    from verify.cli import claims  # loaded only where it is used
 
     def whole(outcome: Outcome) -> dict[str, Any]:
+        from verify.views.document import document  # loaded only where they are used
+        from verify.views.enclosures import sharpened
+
         shown = sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome
         return document(shown, as_printed(outcome))
 
     def text(outcome: Outcome) -> Iterable[str]:
-        every = options.verbose and options.rows is None
-        return (report_lines if every else screen)(outcome, PAPER, as_printed(outcome))
+        if not options.verbose or options.rows is not None:
+            return screen(outcome, PAPER, as_printed(outcome))
+        from verify.views.table import report_lines  # loaded only where it is used
+
+        return report_lines(outcome, PAPER, as_printed(outcome))
 
     claims.answer(outcome, options, whole, text, has_rows=True)
     return outcome.exit_code

@@ -14,6 +14,8 @@ from verify.language.record import Record
 RAISED = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ", "0123456789+-n", strict=True))
 LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋ₙ", "0123456789+-n", strict=True))
 
+_SMALL = "".join([*RAISED, *LOWERED])
+
 _BAR = "\u0304"
 _CLOSING = ")]|}"
 _ENDS = {"{": "}", "(": ")"}
@@ -23,6 +25,9 @@ _NAME = re.compile(
     r"(?![a-z][A-Z]_)[A-Za-z]{2,}_[A-Za-z0-9_]+(-[A-Za-z0-9_]+)*|[A-Za-z]_\w+(-\w+)*-[A-Za-z]{3,}(-\w+)*",
     re.ASCII,
 )
+#: Words in which nothing is, or begins, an index, a power, a prime or a bar, with the blanks after.
+_PLAIN = re.compile(rf"(?:[^\s_^'′{_BAR}{_SMALL}]*+(?:\s+|\Z))+")
+_IS_SMALL = re.compile(f"[_^'′{_SMALL}]")
 _WORD = re.compile(r"[a-z](?=[A-Z]_)|[A-Za-z]+|[0-9]+|.", re.ASCII | re.DOTALL)
 #: An index without braces: a word, a number, one letter of another alphabet, or a sign.
 _INDEX = re.compile(r"[A-Za-z]+|[0-9]+|[^\W\d_]|[⁺⁻±∞]")
@@ -45,7 +50,8 @@ def pieces(text: str) -> Pieces:
     found: list[str | Scripted] = []
     at = 0
     while at < len(text):
-        piece, at = _piece(text, at)
+        plain = _PLAIN.match(text, at)
+        piece, at = (plain[0], plain.end()) if plain else _piece(text, at)
         if isinstance(piece, str) and found and isinstance(found[-1], str):
             found[-1] += piece
         else:
@@ -75,7 +81,7 @@ def _scripts(text: str, at: int, base: str) -> tuple[Pieces, Pieces, int]:
     """What is below and above the sign that ends here, each at most once, and where it ends."""
     found: dict[str, Pieces] = {}
     is_letter, prime = len(base) == 1 and base.isalpha(), ""
-    while at < len(text):
+    while _IS_SMALL.match(text, at):
         place, content, end = _script(text, at)
         if is_letter and not prime and "^" not in found and text[at] in "'′":
             prime, at = "′", at + 1

@@ -15,9 +15,11 @@ from verify.language.terms import Claim, Term, as_term
 ONE = Fraction(1)
 
 
-def simplified_claim(claim: Claim) -> Claim:
-    """Both sides, simplified."""
-    return Claim(claim.relation, simplified(claim.lhs), simplified(claim.rhs))
+def simplified_claim(claim: Claim, known: dict[Term, Term] | None = None) -> Claim:
+    """Both sides, simplified; ``known`` keeps what terms come to for other claims."""
+    known = {} if known is None else known
+    lhs, rhs = (fold(side, _ALGEBRA, known) for side in (claim.lhs, claim.rhs))
+    return Claim(claim.relation, lhs, rhs)
 
 
 def simplified(term: Term) -> Term:

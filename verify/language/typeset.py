@@ -135,11 +135,10 @@ class Typesetter:
 
     def term(self, term: Term) -> str:
         """The term, with as few parentheses as its reading needs, unless it is very long."""
-        if self.lengths.is_long(term):
-            return LONG
         text = self._texts.get(term)
         if text is None:
-            text = self._texts[term] = self._write(term)
+            is_long = self.lengths.is_long(term)
+            text = self._texts[term] = LONG if is_long else self._write(term)
         return text
 
     def _write(self, term: Term) -> str:

@@ -119,23 +119,31 @@ def short(ends: tuple[Fraction, Fraction], digits: int = 8) -> str:
         a, b, exponent = _cut(a), _cut(b), exponent + 1
     if abs(a) < 10 ** (min(AGREEING, digits) - 1):
         return both_ends(ends)
+    return _cut_off(a, exponent)
+
+
+def _cut_off(mantissa: int, exponent: int) -> str:
+    """The first digits of a number."""
     if exponent <= 0:
-        return people(decimal_text(a, exponent), "…")
-    head, rest = str(abs(a))[0], str(abs(a))[1:]  # in 99000… the zeros would be digits, too
-    digits_shown = f"{head}.{rest}" if rest else head
-    return people(f"{'-' if a < 0 else ''}{digits_shown}e{exponent + len(rest)}", "…")
+        return people(decimal_text(mantissa, exponent), "…")
+    head, rest = str(abs(mantissa))[0], str(abs(mantissa))[1:]  # the zeros of 99000… were digits
+    shown = f"{head}.{rest}" if rest else head
+    return people(f"{'-' if mantissa < 0 else ''}{shown}e{exponent + len(rest)}", "…")
 
 
 def near_decimal(ends: tuple[Fraction, Fraction]) -> Fraction | None:
     """The short decimal between two ends that are so near to it that no other one is."""
     low, high = ends
-    size, width = max(abs(low), abs(high)), high - low
-    if not 0 < width * 10 ** (2 * NEAR_DIGITS) <= size:
+    a, b = low.as_integer_ratio()
+    c, d = high.as_integer_ratio()
+    left, right = a * d, b * c
+    if not 0 < (right - left) * _power(2 * NEAR_DIGITS) <= max(abs(left), abs(right)):
         return None
-    mantissa, exponent = round_decimal((low + high) / 2, NEAR_DIGITS + 1, up=True)
-    unit = Fraction(10) ** (decimal_exponent(size) - NEAR_DIGITS + 1)
-    near = round(mantissa * Fraction(10) ** exponent / unit) * unit
-    return near if low <= near <= high else None
+    exponent = decimal_exponent(high if abs(right) > abs(left) else low) - NEAR_DIGITS + 1
+    up, down = _power(max(-exponent, 0)), _power(max(exponent, 0))
+    whole = 2 * b * d * down
+    near = ((left + right) * up * 2 + whole) // (2 * whole) * down  # over `up`
+    return Fraction(near, up) if a * up <= near * b and near * d <= c * up else None
 
 
 def both_ends(ends: tuple[Fraction, Fraction]) -> str:
@@ -143,14 +151,17 @@ def both_ends(ends: tuple[Fraction, Fraction]) -> str:
 
     Around a short decimal: this, and a power of ten that it differs from it at most.
     """
-    low, high = ends
+    digits = min(max(AGREEING, _telling(*ends)), DIGITS)
+    return _around(ends) or f"[{', '.join(map(people, outward(ends, digits)))}]"
+
+
+def _around(ends: tuple[Fraction, Fraction]) -> str:
     near = near_decimal(ends)
-    if near is not None:
-        most = max(near - low, high - near)
-        exponent = decimal_exponent(most) + (most != Fraction(10) ** decimal_exponent(most))
-        return f"{exact_number(near)} ± {people(decimal_text(1, exponent))}"
-    digits = min(max(AGREEING, _telling(low, high)), DIGITS)
-    return f"[{', '.join(map(people, outward(ends, digits)))}]"
+    if near is None:
+        return ""
+    most = max(near - ends[0], ends[1] - near)
+    exponent = decimal_exponent(most) + (most != Fraction(10) ** decimal_exponent(most))
+    return f"{exact_number(near)} ± {people(decimal_text(1, exponent))}"
 
 
 def rounded_inwards(ends: tuple[Fraction, Fraction], digits: int) -> list[str]:
@@ -192,14 +203,14 @@ def as_one_or_two(
     In two texts where digits do, where the numbers are exact and are shown whole, or where so
     little is known of them that they have no digits in common.
     """
-    near, far = (
-        max(right[0] - left[1], left[0] - right[1]),
-        max(right[1] - left[0], left[1] - right[0]),
-    )
     texts = told_apart(left, right, digits)
-    common = short((min(left[0], right[0]), max(left[1], right[1])), digits)
-    if (near > 0 and texts[0] != texts[1]) or common.startswith("["):
+    near = max(right[0] - left[1], left[0] - right[1])
+    if near > 0 and texts[0] != texts[1]:
         return texts
+    common = short((min(left[0], right[0]), max(left[1], right[1])), digits)
+    if common.startswith("["):
+        return texts
+    far = max(right[1] - left[0], left[1] - right[0])
     if far == 0:
         return (f"{common}, exactly equal",) if common.endswith("…") else texts
     most = people(decimal_text(*round_decimal(far, 1, up=True)))
@@ -210,28 +221,25 @@ def as_one_or_two(
 def _to_digits(ends: tuple[Fraction, Fraction], digits: int) -> str:
     """An enclosure in short with all these digits, if it has as many; else nothing."""
     low, high = ends
-    if near_decimal(ends) is not None:
-        return both_ends(ends)
-    if low == high or (low and high and decimal_exponent(low) == decimal_exponent(high)):
-        exponent = decimal_exponent(low or Fraction(1)) - digits + 1
-        if _towards_zero(low, exponent) == _towards_zero(high, exponent):
-            return short(ends, digits)
-    return ""
+    if low == high:
+        return short(ends, digits)
+    exponent = decimal_exponent(low or high) - digits + 1
+    shown = _towards_zero(low, exponent)
+    agree = shown == _towards_zero(high, exponent)
+    return _around(ends) or (_cut_off(shown, exponent) if agree else "")
 
 
 def _shows(
     smaller: tuple[Fraction, Fraction], larger: tuple[Fraction, Fraction], digits: int
 ) -> bool:
     """Whether the digits that are shown leave no doubt that one number is smaller."""
-    up, down = (
-        mantissa * Fraction(10) ** exponent
-        for mantissa, exponent in (
-            round_decimal(smaller[1], digits, up=True),
-            round_decimal(larger[0], digits, up=False),
-        )
-    )
+    up, n = round_decimal(smaller[1], digits, up=True)
+    down, m = round_decimal(larger[0], digits, up=False)
+    if n != m or up != down:
+        return up * _power(max(n - m, 0)) < down * _power(max(m - n, 0))
     # 0.99… is below 1, and -0.99… above -1, but 1.00… may be 1
-    return up < down or (up == down != 0 and (smaller[1] < up if up > 0 else down < larger[0]))
+    shown = up * Fraction(10) ** n
+    return shown != 0 and (smaller[1] < shown if up > 0 else shown < larger[0])
 
 
 def _telling(low: Fraction, high: Fraction) -> int:

@@ -72,11 +72,11 @@ class MathML:
         return formula((f"<mo>{escape(before)}</mo>" if before else "") + self._term(term))
 
     def _term(self, term: Term) -> str:
-        if self._lengths.is_long(term):
-            return f"<mtext>{LONG}</mtext>"
         text = self._texts.get(term)
         if text is None:
-            text = self._texts[term] = f"<mrow>{self._write(term)}</mrow>"
+            is_long = self._lengths.is_long(term)
+            text = f"<mtext>{LONG}</mtext>" if is_long else f"<mrow>{self._write(term)}</mrow>"
+            self._texts[term] = text
         return text
 
     def _write(self, term: Term) -> str:

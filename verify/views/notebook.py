@@ -20,7 +20,7 @@ def notebook_page(outcome: Outcome) -> str:
 
 
 def _lines(outcome: Outcome) -> Iterator[str]:
-    math = MathML(words.tex_letters(outcome))
+    math = MathML(words.letters_and_tex(outcome)[1])
     statement = outcome.statement
     yield f"<p><b>{escape(statement.title)}</b>: {escape(words.headline(outcome))}</p>"
     if statement.constants:

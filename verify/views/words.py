@@ -263,13 +263,14 @@ def groups(outcome: Outcome) -> list[str]:
 
 def letters(outcome: Outcome) -> Typesetter:
     """A typesetter in the paper's letters."""
-    names = {name: letter for name, (letter, _) in letters_apart(outcome.statement).items()}
-    return Typesetter(names | parameter_letters(outcome))
+    return letters_and_tex(outcome)[0]
 
 
-def tex_letters(outcome: Outcome) -> dict[str, str]:
-    """The letters of all constants and variables in LaTeX."""
-    return {name: tex for name, (_, tex) in letters_apart(outcome.statement).items()}
+def letters_and_tex(outcome: Outcome) -> tuple[Typesetter, dict[str, str]]:
+    """The same, and the letters of all constants and variables in LaTeX."""
+    found = letters_apart(outcome.statement).items()
+    names, tex = ({name: letters[i] for name, letters in found} for i in (0, 1))
+    return Typesetter(names | parameter_letters(outcome)), tex
 
 
 def parameter_letters(outcome: Outcome) -> dict[str, str]:

@@ -20,14 +20,14 @@ from verify.views.findings import Material
 from verify.views.mathml import MathML
 from verify.views.page import rows
 from verify.views.page.blueprint import proof_drawing
-from verify.views.page.style import style
 from verify.views.plots import Pictures, collapses, figures, maps, separatrix
 from verify.views.plots.collapse import animation, film
 from verify.views.plots.drawing import standalone, svg
 from verify.views.plots.letters import letters_drawing
 from verify.views.plots.shapes import Figure, Panel
 from verify.views.point import causes, in_numbers, place
-from verify.views.typesetting import in_html
+from verify.views.style import style
+from verify.views.template import in_html
 
 TITLE = "Three particles collapse: what is proved"
 #: The style sheet of all pages, with their font.

@@ -68,23 +68,24 @@ class Writer:
 
     def __init__(self, outcome: Outcome, paper: Publication) -> None:
         self.outcome, self.notes = outcome, paper.notes()
-        self.typesetter = words.letters(outcome)
+        self.typesetter, tex = words.letters_and_tex(outcome)
         of_parameters = {"c": r"(-\cos\theta_0)"} if outcome.statement.parameters else {}
-        self._mathml = MathML(words.tex_letters(outcome) | of_parameters)
+        self._mathml, self._simple = MathML(tex | of_parameters), dict[Term, Term]()
         self._rows = {row.name: (row, found) for row, found in outcome.rows}
 
     def claim(self, claim: Claim | Applies | Always) -> Math:
         """A claim, unless it is too long to be read; in letters only if no line can break in it."""
-        text = self.typesetter.claim(claim)
-        if LONG in text:
-            return Math("", text)
+        if self.typesetter.lengths.is_long_claim(claim):
+            return Math("", LONG)
         if isinstance(claim, Claim):
-            claim = simplified_claim(claim)
-            text = self.typesetter.claim(claim)
+            claim = simplified_claim(claim, self._simple)
+        text = self.typesetter.claim(claim)
         if len(text) > words.MAX_FORMULA or not isinstance(claim, Claim):
             return Math("", text if len(text) <= words.MAX_FORMULA else LONG)
-        widest = max(len(self.typesetter.term(part)) for part in summands(claim))
-        return Math(self._mathml.claim(claim) if widest <= WIDEST else "", text)
+        is_wide = len(text) > WIDEST and any(
+            len(self.typesetter.term(part)) > WIDEST for part in summands(claim)
+        )
+        return Math("" if is_wide else self._mathml.claim(claim), text)
 
     def term(self, term: Term, before: str = "") -> Math:
         """A term after a relation."""

@@ -14,23 +14,7 @@ from textwrap import wrap
 from zlib import crc32
 
 from verify.views.plots import shapes
-
-_LIGHT = """
-ink #1c2128, faint #6f7781, undecided #bcc3cb, paper #ffffff, proved #1d5ca8, refuted #a3470a,
-proved-area #2e6bb6, refuted-area #f7bb70, refuted-line #9a4300, series-1 #1d5ca8,
-series-2 #d9822b, series-3 #52606d, series-4 #7fb2e5, series-5 #a3470a, series-6 #4b8fa0,
-series-7 #77803a"""
-_DARK = """
-ink #e4e7ea, faint #939ca6, undecided #a4adb7, paper #14181d, proved #8ab8f0, refuted #f2a65a,
-proved-area #2c5a99, refuted-area #dfa050, refuted-line #4a2400, series-1 #8ab8f0,
-series-2 #f2a65a, series-3 #b5bfca, series-4 #3f74b5, series-5 #d98a3a, series-6 #7cc3d3,
-series-7 #b9c36c"""
-
-#: What the variables of the style sheet stand for, in either scheme.
-SCHEMES = {
-    scheme: dict(pair.split() for pair in text.split(","))
-    for scheme, text in (("light", _LIGHT), ("dark", _DARK))
-}
+from verify.views.style import SCHEMES
 
 #: What is hatched, and with which lines.
 HATCHED = {"refuted-area": "refuted-line"}

@@ -10,9 +10,10 @@ from itertools import islice
 from verify.language.record import Record
 from verify.prover import balls
 from verify.views.plots.approach import HIGH, SIDE, approach, counted, length_unit
-from verify.views.plots.drawing import SCHEMES, standalone, svg
+from verify.views.plots.drawing import standalone, svg
 from verify.views.plots.shapes import Disc, Panel, Point, Scale, Shape, Trace, Words, round_below
 from verify.views.scene import Step, Told
+from verify.views.style import SCHEMES
 
 COLOURS = ("series-1", "series-2", "series-3")
 #: How far the drawing goes on after the last collision, as a share of the time before it.
@@ -79,7 +80,7 @@ def _at(place: Sequence[float]) -> Point:
 
 def scene_page(told: Told, steps: Iterable[Step]) -> str:
     """The file."""
-    from verify.views.typesetting import in_html  # loads the templates' library
+    from verify.views.template import in_html  # loads the templates' library
 
     path = legs(told, steps, most=60)
     points = [p for leg in path for p in leg.places]

@@ -73,21 +73,6 @@ def atoms_of(terms: Iterable[Term], replaced: Mapping[Term, Term]) -> list[Term]
     return [part for part in parts if part.op in ATOMS and part not in replaced]
 
 
-def outside_atoms(term: Term, chosen: Mapping[Term, Term], *, divisors: bool = True) -> Term:
-    """A term as the checker replaces atoms by equations: not inside other atoms, and again.
-
-    Without ``divisors`` these stay.
-    """
-    if term in chosen:
-        return outside_atoms(chosen[term], chosen, divisors=divisors)
-    if term.op in ATOMS or not term.children:
-        return term
-    children = [outside_atoms(child, chosen, divisors=divisors) for child in term.children]
-    if term.op == "div" and not divisors:
-        children[1] = term.children[1]
-    return Term(term.op, *children, *term.args[len(children) :])
-
-
 def has_value(part: Term, is_fact: Callable[[Claim], bool]) -> bool:
     """Whether a quotient, root or logarithm has the fact that the checker needs; true of others.
 

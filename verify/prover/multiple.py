@@ -1,4 +1,4 @@
-"""A claim that is a fact times a positive number, once equations are used and divisors are gone."""
+"""Claims and facts as the checker reads them: equations replace atoms, and divisors are gone."""
 
 from __future__ import annotations
 
@@ -7,10 +7,25 @@ from fractions import Fraction
 
 from verify.language.terms import Claim, Term, as_term
 from verify.prover.balls import fraction_of
-from verify.prover.clearing import Clearing
+from verify.prover.clearing import ATOMS, Clearing
 from verify.prover.proof import product_of
 from verify.prover.rules import Sum
 from verify.prover.session import Session
+
+
+def outside_atoms(term: Term, chosen: Mapping[Term, Term], *, divisors: bool = True) -> Term:
+    """A term as the checker replaces atoms by equations: not inside other atoms, and again.
+
+    Without ``divisors`` these stay.
+    """
+    if term in chosen:
+        return outside_atoms(chosen[term], chosen, divisors=divisors)
+    if term.op in ATOMS or not term.children:
+        return term
+    children = [outside_atoms(child, chosen, divisors=divisors) for child in term.children]
+    if term.op == "div" and not divisors:
+        children[1] = term.children[1]
+    return Term(term.op, *children, *term.args[len(children) :])
 
 
 def scale(claim: Claim, replaced: Mapping[Term, Term]) -> Fraction | None:

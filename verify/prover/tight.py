@@ -30,7 +30,7 @@ from verify.language.terms import (
     symbol,
 )
 from verify.prover.balls import fraction_of
-from verify.prover.clearing import Clearing, Polynomial, coefficients, has_value, outside_atoms
+from verify.prover.clearing import Clearing, Polynomial, coefficients, has_value
 from verify.prover.constants import Constants
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Entry, Law, Sum
@@ -246,6 +246,8 @@ def by_half_turns(
                 equations |= _equations(tight, part, turns)
     if not equations:
         return None
+    from verify.prover.multiple import from_fact, outside_atoms  # loaded only where they are used
+
     values = {atom: value for atom, (_, value) in equations.items()}
     sides = [outside_atoms(side, values) for side in (claim.lhs, claim.rhs)]
     simpler = Claim(claim.relation, *sides)
@@ -254,8 +256,6 @@ def by_half_turns(
     session, proof = tight.session, prove(simpler)
     if proof is None:
         return None
-    from verify.prover.multiple import from_fact  # loaded only where it is used
-
     lemma = session.ensure(simpler, proof)
     return from_fact(session, claim, lemma, [name for name, _ in equations.values()])
 

@@ -16,8 +16,9 @@ from math import gcd, lcm
 from flint import fmpq_mpoly
 
 from verify.language.terms import Claim, Term, as_term, atan, cos, equal, pi, sin, sqrt
-from verify.prover.clearing import Clearing, TooLongError, atoms_of, coefficients, outside_atoms
+from verify.prover.clearing import Clearing, TooLongError, atoms_of, coefficients
 from verify.prover.cosines import HALF, Relations
+from verify.prover.multiple import outside_atoms
 from verify.prover.proof import Proof, Value, product_of
 from verify.prover.rules import (
     Antisymmetry,

@@ -7,7 +7,7 @@ the claim failed all of them would be, as no entry is above the maximum.
 from __future__ import annotations
 
 from verify.language.terms import Claim, Term, equal
-from verify.prover.clearing import outside_atoms
+from verify.prover.multiple import outside_atoms
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Antisymmetry, Cases, Entry, Least, Sum
 from verify.prover.search.domain import Domain

@@ -13,8 +13,9 @@ from math import gcd
 
 from verify.language.terms import Claim, Term, as_term, equal
 from verify.prover.balls import fraction_of
-from verify.prover.clearing import Clearing, atoms_of, outside_atoms
+from verify.prover.clearing import Clearing, atoms_of
 from verify.prover.cosines import Relations, chebyshev
+from verify.prover.multiple import outside_atoms
 from verify.prover.proof import Proof
 from verify.prover.rules import Sum
 from verify.prover.search.question import Question

@@ -257,3 +257,21 @@ def of_missing(word: str, before: tuple[str, str]) -> str:
     if word == ">" and sign == "<":
         return "; write !="
     return f"; write {sign}" if word == "=" and sign in ("<=", ">=") else ""
+
+
+#: What stands in the place of a letter and is none: a range, a comparison, a number, a domain.
+_NO_LETTER = re.compile(
+    r"[][<>≤≥∈]|\.\.|^[-+0-9./\s]*$|^\(.*,.*\)$"
+    "|^(real|rational|integer|natural|positive|negative|non-?negative|number|int|float)s?$|^[ℝℚℤℕ]",
+    re.IGNORECASE,
+)
+
+
+def of_letter(letter: str, name: str) -> str:
+    """What is said of what stands in the place of a variable's letter; nothing if it may be one."""
+    if not _NO_LETTER.search(letter):
+        return ""
+    return (
+        f"{shown(letter)} is no letter of {name}; what is known of a variable is given: "
+        f'given = ["0 <= {name}"]'
+    )

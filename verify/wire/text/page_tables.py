@@ -70,12 +70,6 @@ CALL = re.compile(rf"({_WORD})\(\s*({_WORD}(?:\s*,\s*{_WORD})*)\s*\)", re.ASCII)
 #: So many rows are in a page, and names of rows, lemmas, givens and all else; so many constants,
 #: abbreviations and functions, for each of which all known names are looked through.
 MAX_ROWS, MAX_NAMES, MAX_DEFINED = 4000, 20_000, 4000
-#: What stands in the place of a letter and is none: a range, a comparison, a number, a domain.
-NO_LETTER = re.compile(
-    r"[][<>≤≥∈]|\.\.|^[-+0-9./\s]*$|^\(.*,.*\)$"
-    "|^(real|rational|integer|natural|positive|negative|non-?negative|number|int|float)s?$|^[ℝℚℤℕ]",
-    re.IGNORECASE,
-)
 #: What is a name in files.
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,99}", re.ASCII)
 
@@ -416,12 +410,12 @@ class Reader:
     ) -> tuple[str, str]:
         plain, tex = letter_of(written)
         letter = self.text([*keys, "letter"], item.get("letter", plain), "a letter")
-        if NO_LETTER.search(letter):
-            raise self.places.error(
-                keys,
-                f"{shown(letter)} is no letter of {written}; what is known of a variable is given: "
-                f'given = ["0 <= {written}"]',
-            )
+        if letter != plain:
+            from verify.wire.text import instead  # loaded only where it is used
+
+            meant = instead.of_letter(letter, written)
+            if meant:
+                raise self.places.error(keys, meant)
         default = tex if letter == plain else tex_of(letter)
         return letter, self.text([*keys, "tex"], item.get("tex", default), "LaTeX")
 

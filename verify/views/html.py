@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from html import escape
 
-from verify.views.typesetting import Marked, printable, prose
+from verify.views.typesetting import Marked, prose
 
 #: So many letters in a line fit a phone.
 NARROW = 36
@@ -61,7 +61,7 @@ def page(title: str, style: str, content: str, contents: str = "") -> Marked:
 <meta name="color-scheme" content="light dark">
 <link rel="icon" href="data:,">
 {style}
-<title>{escape(printable(title))}</title>
+<title>{title}</title>
 </head>
 <body id="top">
 {contents}<main>

@@ -43,8 +43,6 @@ class Report:
         self._outcome, self._paper, self._letters = exactly(outcome), paper, letters
         self._about, self._is_sent = words.is_about(outcome, paper), is_sent
 
-    # --- how it is written ---
-
     def _words(self, text: str) -> str:
         return _MARKUP.sub(lambda match: f"\\{match[0]}", in_a_line(text))
 
@@ -93,8 +91,6 @@ class Report:
         cells = ([self._line(cell).replace("|", "\\|") for cell in row] for row in rows)
         lines = "".join(f"| {' | '.join(row)} |\n" for row in cells)
         return f"\n| {' | '.join(head)} |\n|{'---|' * len(head)}\n{lines}" if lines else ""
-
-    # --- what it says ---
 
     def blocks(self) -> Iterator[str]:
         """The blocks, in their order."""

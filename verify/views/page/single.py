@@ -12,7 +12,7 @@ from verify.views import html
 from verify.views.markdown import Report
 from verify.views.page.rows import Math, Writer
 from verify.views.style import style
-from verify.views.typesetting import Marked, in_a_line, numbers, prose, unset
+from verify.views.typesetting import Marked, in_a_line, numbers, printable, prose, unset
 
 if TYPE_CHECKING:
     from verify.language.statement import Always, Applies
@@ -24,7 +24,8 @@ if TYPE_CHECKING:
 def single_page(outcome: Outcome, paper: Publication, files: Mapping[str, bytes]) -> str:
     """The report as a page; it names the other ``files`` of its folder, with their digests."""
     css = f"<style>{style()}body{{display:block}}</style>"
-    return html.page(outcome.statement.title, css, "\n".join(_Page(outcome, paper, files).blocks()))
+    title = escape(printable(outcome.statement.title))
+    return html.page(title, css, "\n".join(_Page(outcome, paper, files).blocks()))
 
 
 class _Page(Report):

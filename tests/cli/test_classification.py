@@ -10,6 +10,7 @@ from typing import Any
 import jsonschema
 import pytest
 
+from tests.cli.running import check_refused, command
 from verify import check
 from verify.cli import main
 from verify.paper.commands import classification as job
@@ -30,10 +31,7 @@ COUNTS = {
 }
 
 
-def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
-    code = main(["classification", *words])
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
+run = command("classification")
 
 
 def document(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, Any]:
@@ -88,9 +86,7 @@ def test_how_light_a_ball_must_be(capsys: pytest.CaptureFixture[str], r: str) ->
     ],
 )
 def test_masses_that_are_refused(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
-    code, out, err = run(capsys, *words)
-    assert (code, out, err.count("\n")) == (2, "", 1)
-    assert "--masses" in err
+    check_refused(run(capsys, *words), "--masses")
 
 
 def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:
@@ -150,13 +146,9 @@ def test_the_files(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("text", ["0", "1.001", "-0.1", "2", "x", "", "nan", "1/0", "0.02..0.04"])
 def test_input_errors(capsys: pytest.CaptureFixture[str], text: str) -> None:
-    code, out, err = run(capsys, f"--r={text}")
-    assert (code, out) == (2, "")
-    assert err.count("\n") == 1
-    assert err.startswith("verify: --r: ")
+    check_refused(run(capsys, f"--r={text}"), "verify: --r: ")
 
 
 @pytest.mark.parametrize("words", [["--all"], ["word"], ["--r"], ["--r", "0.1", "--r", "0.2"]])
 def test_unknown_options(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
-    code, out, err = run(capsys, *words)
-    assert (code, out, err.count("\n")) == (2, "", 1)
+    check_refused(run(capsys, *words))

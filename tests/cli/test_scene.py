@@ -19,8 +19,9 @@ from xml.etree import ElementTree
 import jsonschema
 import pytest
 
+from tests.cli.running import check_refused, command
 from verify import check
-from verify.cli import main, scene_folder
+from verify.cli import scene_folder
 from verify.cli.scene_folder import decide_file
 from verify.cli.unfinished import NAME
 from verify.views.plots import distributions
@@ -36,10 +37,7 @@ velocities = [[0, 0], [-1.4, 0], ["7/10", "-0.1"]]
 """
 
 
-def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
-    code = main(["scene", *map(str, words)])
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
+run = command("scene")
 
 
 def written(folder: Path, text: str) -> Path:
@@ -189,11 +187,7 @@ def test_unusable_input_is_one_line(
     name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     text, why = BAD[name]
-    code, out, err = run(capsys, written(tmp_path, text))
-    assert (code, out) == (2, "")
-    assert err.startswith("verify: ")
-    assert err.count("\n") == 1
-    assert why in err
+    check_refused(run(capsys, written(tmp_path, text)), why)
 
 
 @pytest.mark.parametrize(
@@ -209,9 +203,7 @@ def test_unusable_input_is_one_line(
     ],
 )
 def test_unusable_options(words: list[object], capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, err = run(capsys, *words)
-    assert (code, out) == (2, "")
-    assert err.count("\n") == 1
+    check_refused(run(capsys, *words))
 
 
 EXTREME = """r = "0.03"
@@ -226,8 +218,7 @@ def test_numbers_beyond_a_drawing_are_one_line(
 ) -> None:
     path = tmp_path / "fast.toml"
     path.write_text(EXTREME.replace("PLACE", "1.002").replace("SCALE", "e320"))
-    code, out, err = run(capsys, path, "--plot", tmp_path / f"scene.{kind}")
-    assert (code, out, err.count("\n")) == (2, "", 1)
+    check_refused(run(capsys, path, "--plot", tmp_path / f"scene.{kind}"))
     assert run(capsys, path)[0] == 0
 
 
@@ -776,9 +767,7 @@ def test_a_sample_of_some_parameters(tmp_path: Path, capsys: pytest.CaptureFixtu
 def test_a_family_needs_a_point_or_a_sample(
     words: tuple[str, ...], why: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    code, out, err = run(capsys, written(tmp_path, FAMILY), *words)
-    assert (code, out, err.count("\n")) == (2, "", 1)
-    assert why in err
+    check_refused(run(capsys, written(tmp_path, FAMILY), *words), why)
 
 
 def drawn(path: Path) -> tuple[str, list[tuple[list[str], list[str]]]]:

@@ -10,7 +10,6 @@ import pytest
 from verify import check
 from verify.language.argument import Argument
 from verify.language.terms import Claim, equal, sqrt, symbol
-from verify.paper.commands import pages
 from verify.paper.commands.pages import content, page
 from verify.prover.arguments import write_down
 from verify.spheres.flow.contexts import COLLISION, DRIFT, NAMED, PAIRS, RECENTRE, UNIT
@@ -29,15 +28,6 @@ from verify.wire.write import write
 
 def report(statement: bytes, certificate: bytes) -> check.Report:
     return check.check(statement, certificate, {})
-
-
-def files() -> tuple[bytes, bytes]:
-    found = write(pages.decide("flow"))
-    return found["statement.json"], found["certificate.json"]
-
-
-def test_the_flow_is_proved() -> None:
-    assert report(*files()).verdict == "PROVED"
 
 
 # --- the page -------------------------------------------------------------------------------------

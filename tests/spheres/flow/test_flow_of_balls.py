@@ -8,12 +8,11 @@ from random import Random
 
 import pytest
 
-from tests.paper.changed_statements import report
 from tests.spheres.flow.test_flow import after, check_page
 from verify import check
 from verify.language.argument import Argument
 from verify.language.terms import sqrt, symbol
-from verify.paper.commands.pages import content, decide
+from verify.paper.commands.pages import content
 from verify.prover.arguments import write_down
 from verify.spheres.flow.contexts import COLLISION, DRIFT, PAIRS, RECENTRE, UNIT
 from verify.spheres.flow.law import (
@@ -122,12 +121,6 @@ def test_another_centre_and_a_drift_are_those_of_the_vectors(seed: int, equal: b
         for p, w in zip(given.x, given.v, strict=True)
     ]
     assert drifted(state, time) == Coordinates(x, given.v, given.squares).state((0, 1, 2), unnamed)
-
-
-def test_the_page_is_proved() -> None:
-    files = write(decide(PAGE))
-    assert report(decide(PAGE)).verdict == "PROVED"
-    assert sum(map(len, files.values())) < 150_000
 
 
 #: What is miswritten: of another pair, another mass, a factor that is missing.

@@ -7,17 +7,15 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 import pytest
 
-from tests.cli.running import check_refused, command
+from tests.cli.running import check_refused, command, validator
 from verify import check
 from verify.cli import main
 from verify.paper.commands import classification as job
 from verify.paper.commands import pages
 from verify.paper.source import PAPER
 
-SCHEMA = Path(__file__).parents[2] / "certificates/schema/classification.schema.json"
 COUNTS = {
     "0.072": "64",
     "0.0725": "35",
@@ -44,7 +42,7 @@ def document(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, Any]:
 def test_masses(capsys: pytest.CaptureFixture[str]) -> None:
     """The least r for which a ball between heavier ones is excluded rises as it gets lighter."""
     found = document(capsys, "--r", "0.3", "--masses", "1,2,3")
-    jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(found)
+    validator("classification").validate(found)
     assert [one["collapse"] for one in found["middles"]] == ["excluded"] * 3
     light = document(capsys, "--r", "0.3", "--masses", "0.15,1,1")
     assert [one["collapse"] for one in light["middles"]] == ["not excluded", *["excluded"] * 2]

@@ -11,8 +11,8 @@ from typing import Any
 
 import pytest
 
-from tests.cli.running import check_refused, command
-from tests.cli.test_documents import document, validator
+from tests.cli.running import check_refused, command, validator
+from tests.cli.test_documents import document
 from verify import check
 
 BEADS = """

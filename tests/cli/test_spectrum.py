@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import subprocess
 import sys
@@ -12,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from tests.cli.running import check_refused, command
+from tests.cli.running import check_refused, command, parsed
 from tests.paper.spectrum.page import with_a_broken_entry
 from verify import check
 from verify.paper.commands import spectrum
@@ -30,12 +29,8 @@ run = command("spectrum")
 def document(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, Any]:
     code, out, err = run(capsys, *words, "--json")
     assert (code, err) == (0, "")
-    found: dict[str, Any] = json.loads(out, parse_float=_no_float)
+    found: dict[str, Any] = parsed(out)
     return found
-
-
-def _no_float(text: str) -> None:
-    raise AssertionError(f"{text} is a JSON float")
 
 
 def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:

@@ -18,7 +18,7 @@ from typing import Any
 import pytest
 
 from tests.citing import cited_in
-from tests.cli.running import check_refused, command
+from tests.cli.running import check_refused, command, parsed
 from tests.paper.changed_page import with_changes
 from verify import check
 from verify.cli import main
@@ -38,11 +38,7 @@ run = command("theorem1")
 def document(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, dict[str, Any]]:
     code, out, err = run(capsys, *words, "--json")
     assert err == ""
-    return code, json.loads(out, parse_float=_no_float)
-
-
-def _no_float(text: str) -> None:
-    raise AssertionError(f"{text} is a JSON float")
+    return code, parsed(out)
 
 
 def test_the_screen_is_short_and_ends_like_the_table(capsys: pytest.CaptureFixture[str]) -> None:

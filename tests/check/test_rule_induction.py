@@ -12,11 +12,11 @@ HALVE = total("goal", ["mul", "1/2", "x-low"])
 BELOW = total("goal", ["mul", "1/2", "x-high"], "1/2")
 
 
-def halving(kind: str = "carried", assumption: str | None = None, next_x: str = "x/2") -> Pair:
+def halving(kind: str = "carried", assumption: str | None = None) -> Pair:
     """0 <= x <= 1 is carried from x to x/2."""
     givens = {"x-low": ("0 <= x", "carried", None), "x-high": ("x <= 1", kind, assumption)}
     pair = Pair().context("state", {"x": "1"}, givens)
-    pair.statement["terms"]["following"] = ["div", "x", "2"] if next_x == "x/2" else next_x
+    pair.statement["terms"]["following"] = ["div", "x", "2"]
     return pair
 
 

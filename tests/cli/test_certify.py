@@ -7,16 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.test_documents import document, validator
-from verify.cli import main
+from tests.cli.running import check_refused, command, validator
+from tests.cli.test_documents import document
 from verify.paper.commands import certificates
 from verify.prover.outcome import Outcome
 
-
-def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
-    code = main(list(map(str, words)))
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
+run = command()
 
 
 @pytest.fixture
@@ -88,7 +84,5 @@ def test_a_path_that_cannot_be_used_is_found_before_the_work(
         monkeypatch.setattr(work, never)
     monkeypatch.chdir(tmp_path)
     (tmp_path / "file").write_text("mine")
-    code, out, err = run(capsys, *words)
-    assert (code, out, err.count("\n")) == (2, "", 1)
-    assert words[-1] in err
+    check_refused(run(capsys, *words), words[-1])
     assert [path.name for path in tmp_path.iterdir()] == ["file"]

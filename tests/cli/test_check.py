@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from tests.check.support import INTERVAL, Pair
+from tests.cli.running import check_refused, command
 from verify import check
 from verify.cli import main
 from verify.language.statement import UNDECIDED
@@ -31,10 +32,7 @@ NAMES = ("statement.json", "certificate.json")
 Changes = dict[str, Term]
 
 
-def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
-    code = main(["check", *map(str, words)])
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
+run = command("check")
 
 
 @cache
@@ -103,8 +101,7 @@ def test_names_that_forge_a_line_are_escaped_in_both(
 def test_a_path_that_forges_a_line_on_stderr(capsys: pytest.CaptureFixture[str]) -> None:
     assert check.main([FORGED]) == 2
     assert capsys.readouterr().err.count("\n") == 1
-    code, out, err = run(capsys, FORGED)
-    assert (code, out, err.count("\n")) == (2, "", 1)
+    check_refused(run(capsys, FORGED))
 
 
 def test_a_sentence_for_each_folder(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

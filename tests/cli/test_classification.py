@@ -7,16 +7,15 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 import pytest
 
+from tests.cli.running import check_refused, command, validator
 from verify import check
 from verify.cli import main
 from verify.paper.commands import classification as job
 from verify.paper.commands import pages
 from verify.paper.source import PAPER
 
-SCHEMA = Path(__file__).parents[2] / "certificates/schema/classification.schema.json"
 COUNTS = {
     "0.072": "64",
     "0.0725": "35",
@@ -30,10 +29,7 @@ COUNTS = {
 }
 
 
-def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
-    code = main(["classification", *words])
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
+run = command("classification")
 
 
 def document(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, Any]:
@@ -46,7 +42,7 @@ def document(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, Any]:
 def test_masses(capsys: pytest.CaptureFixture[str]) -> None:
     """The least r for which a ball between heavier ones is excluded rises as it gets lighter."""
     found = document(capsys, "--r", "0.3", "--masses", "1,2,3")
-    jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(found)
+    validator("classification").validate(found)
     assert [one["collapse"] for one in found["middles"]] == ["excluded"] * 3
     light = document(capsys, "--r", "0.3", "--masses", "0.15,1,1")
     assert [one["collapse"] for one in light["middles"]] == ["not excluded", *["excluded"] * 2]
@@ -88,9 +84,7 @@ def test_how_light_a_ball_must_be(capsys: pytest.CaptureFixture[str], r: str) ->
     ],
 )
 def test_masses_that_are_refused(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
-    code, out, err = run(capsys, *words)
-    assert (code, out, err.count("\n")) == (2, "", 1)
-    assert "--masses" in err
+    check_refused(run(capsys, *words), "--masses")
 
 
 def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:
@@ -150,13 +144,9 @@ def test_the_files(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("text", ["0", "1.001", "-0.1", "2", "x", "", "nan", "1/0", "0.02..0.04"])
 def test_input_errors(capsys: pytest.CaptureFixture[str], text: str) -> None:
-    code, out, err = run(capsys, f"--r={text}")
-    assert (code, out) == (2, "")
-    assert err.count("\n") == 1
-    assert err.startswith("verify: --r: ")
+    check_refused(run(capsys, f"--r={text}"), "verify: --r: ")
 
 
 @pytest.mark.parametrize("words", [["--all"], ["word"], ["--r"], ["--r", "0.1", "--r", "0.2"]])
 def test_unknown_options(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
-    code, out, err = run(capsys, *words)
-    assert (code, out, err.count("\n")) == (2, "", 1)
+    check_refused(run(capsys, *words))

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 import pytest
 
+from tests.cli.running import parsed, validator
 from verify.cli import COMMANDS, main
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -48,23 +47,12 @@ DOCUMENTS = [
 ]
 
 
-def validator(name: str) -> jsonschema.Draft202012Validator:
-    path = ROOT / "certificates/schema" / f"{name}.schema.json"
-    schema = json.loads(path.read_text(encoding="utf-8"))
-    jsonschema.Draft202012Validator.check_schema(schema)
-    return jsonschema.Draft202012Validator(schema)
-
-
 def document(capsys: pytest.CaptureFixture[str], words: list[str]) -> dict[str, Any]:
     main([*words, "--json"])
     captured = capsys.readouterr()
     assert captured.err == ""
-    found: dict[str, Any] = json.loads(captured.out, parse_float=_no_float)
+    found: dict[str, Any] = parsed(captured.out)
     return found
-
-
-def _no_float(text: str) -> None:
-    raise AssertionError(f"{text} is a JSON float")
 
 
 @pytest.mark.parametrize(("name", "words"), DOCUMENTS)
@@ -86,7 +74,7 @@ def test_an_error_is_a_document_too(command: str, capsys: pytest.CaptureFixture[
     for words in asked:
         code = main([command, *words, "--json"])
         out, err = capsys.readouterr()
-        found = json.loads(out, parse_float=_no_float)
+        found = parsed(out)
         validator("error").validate(found)
         assert (code, found["exit_code"], found["command"]) == (2, 2, command)
         assert err == f"verify: {found['error']}\n"

@@ -17,15 +17,14 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
-import jsonschema
 import pytest
 
 from tests.check.test_check_map import sealed
+from tests.cli.running import validator
 from verify import check_map
 from verify.cli import main
 
 ROOT = Path(__file__).resolve().parents[2]
-SCHEMA = ROOT / "certificates/schema/map.schema.json"
 PLANE = ["map", "phi", "--r", "0.03"]
 #: What cannot be used, and the option that is named.
 WRONG = {
@@ -58,9 +57,7 @@ def test_one_line_about_unusable_input(option: str, capsys: pytest.CaptureFixtur
 def test_the_document(capsys: pytest.CaptureFixture[str]) -> None:
     assert main([*PLANE, "--undecided", "5%", "--json"]) == 0
     document = json.loads(capsys.readouterr().out)
-    jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(
-        document
-    )
+    validator("map").validate(document)
     areas = {name: Fraction(share) for name, share in document["areas"].items()}
     assert sum(areas.values()) == 1
     assert 0 < areas["undecided"] <= Fraction(1, 20)
@@ -74,9 +71,7 @@ def test_a_plane_through_a_scene(tmp_path: Path, capsys: pytest.CaptureFixture[s
     command = ["map", scene, "--x", "velocities[2][0]=-1.5..0", "--y", "velocities[2][1]=-1..1"]
     assert main([*command, "--undecided", "5%", "--out", str(tmp_path), "--json"]) == 0
     document = json.loads(capsys.readouterr().out)
-    jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(
-        document
-    )
+    validator("map").validate(document)
     assert check_map.main([str(tmp_path / "map.jsonl")]) == 0
     wrong = {
         "--x": [*command[:3], "velocities[2][2]=0..1", *command[4:]],
@@ -99,9 +94,7 @@ def test_a_strip(
     assert main([*command, "--show-boxes"]) == 0
     no_words_meet(ElementTree.parse(tmp_path / "map.svg").getroot())
     document = json.loads(capsys.readouterr().out)
-    jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(
-        document
-    )
+    validator("map").validate(document)
     assert document["strip"] == {"delta": "1/1000", "from": "1/10", "to": "11/100"}
     assert document["areas"]["undecided"] == "1/125"
     assert check_map.main([str(tmp_path / "map.jsonl")]) == 0

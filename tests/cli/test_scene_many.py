@@ -11,9 +11,9 @@ from typing import Any
 
 import pytest
 
-from tests.cli.test_documents import document, validator
+from tests.cli.running import check_refused, command, validator
+from tests.cli.test_documents import document
 from verify import check
-from verify.cli import main
 
 BEADS = """
 r = "0.03"
@@ -47,10 +47,7 @@ def written(folder: Path, text: str) -> str:
     return str(path)
 
 
-def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
-    code = main(["scene", *words])
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
+run = command("scene")
 
 
 def found_of(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, Any]:
@@ -232,9 +229,7 @@ def test_unusable_input_is_one_line(
     name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     text, why = BAD[name]
-    code, out, err = run(capsys, written(tmp_path, text))
-    assert (code, out, err.count("\n")) == (2, "", 1)
-    assert why in err
+    check_refused(run(capsys, written(tmp_path, text)), why)
 
 
 @pytest.mark.parametrize("name", ["a.csv", "a.xyz", "a.dump"])
@@ -255,8 +250,7 @@ def test_options_for_three_are_refused(tmp_path: Path, capsys: pytest.CaptureFix
     path = written(tmp_path, BEADS)
     for words in (["--digits", "3"], ["--cutoff", "1"], ["--plot", "a.svg"], ["--sample", "3"],
                   ["--trajectory", "t.csv"], ["--at", "a=1"], ["--until", "-1"]):  # fmt: skip
-        code, out, err = run(capsys, path, *words)
-        assert (code, out, err.count("\n")) == (2, "", 1), words
+        check_refused(run(capsys, path, *words))
 
 
 def test_a_folder_says_which_files_are_decided_alone(

@@ -7,16 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from tests.cli.running import command
 from verify import check
-from verify.cli import main
 from verify.paper.commands import pages
 from verify.publication import ACCUSATIONS
 
-
-def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
-    code = main(["elsewhere", *words])
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
+run = command("elsewhere")
 
 
 def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import subprocess
 import sys
@@ -12,9 +11,9 @@ from typing import Any
 
 import pytest
 
+from tests.cli.running import check_refused, command, parsed
 from tests.paper.spectrum.page import with_a_broken_entry
 from verify import check
-from verify.cli import main
 from verify.paper.commands import spectrum
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -24,21 +23,14 @@ CLAIM_KEYS = {
 }  # fmt: skip
 
 
-def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
-    code = main(["spectrum", *words])
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
+run = command("spectrum")
 
 
 def document(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, Any]:
     code, out, err = run(capsys, *words, "--json")
     assert (code, err) == (0, "")
-    found: dict[str, Any] = json.loads(out, parse_float=_no_float)
+    found: dict[str, Any] = parsed(out)
     return found
-
-
-def _no_float(text: str) -> None:
-    raise AssertionError(f"{text} is a JSON float")
 
 
 def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:
@@ -114,16 +106,12 @@ def test_more_bits_give_more_digits(capsys: pytest.CaptureFixture[str]) -> None:
      "0.1..1", "x", "", "nan", "1/0", "0.1...5..2", "0,1", "1_0/20"],
 )  # fmt: skip
 def test_input_errors(capsys: pytest.CaptureFixture[str], text: str) -> None:
-    code, out, err = run(capsys, f"--r={text}")
-    assert (code, out) == (2, "")
-    assert err.count("\n") == 1
-    assert err.startswith("verify: --r: ")
+    check_refused(run(capsys, f"--r={text}"), "verify: --r: ")
 
 
 @pytest.mark.parametrize("bits", ["0", "1", "-5", "x", "1e9", "99999999"])
 def test_precision_errors(capsys: pytest.CaptureFixture[str], bits: str) -> None:
-    code, out, err = run(capsys, "--r", "0.1", f"--precision={bits}")
-    assert (code, out, err.count("\n")) == (2, "", 1)
+    check_refused(run(capsys, "--r", "0.1", f"--precision={bits}"))
 
 
 @pytest.mark.parametrize("r", ["1/20", "0.001..0.9"])

@@ -18,6 +18,7 @@ from typing import Any
 import pytest
 
 from tests.citing import cited_in
+from tests.cli.running import check_refused, command, parsed
 from tests.paper.changed_page import with_changes
 from verify import check
 from verify.cli import main
@@ -31,20 +32,13 @@ FILES = ("statement.json", "certificate.json")
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
-    code = main(["theorem1", *words])
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
+run = command("theorem1")
 
 
 def document(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, dict[str, Any]]:
     code, out, err = run(capsys, *words, "--json")
     assert err == ""
-    return code, json.loads(out, parse_float=_no_float)
-
-
-def _no_float(text: str) -> None:
-    raise AssertionError(f"{text} is a JSON float")
+    return code, parsed(out)
 
 
 def test_the_screen_is_short_and_ends_like_the_table(capsys: pytest.CaptureFixture[str]) -> None:
@@ -131,8 +125,7 @@ def test_boxes(
     ],
 )
 def test_unusable_boxes(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, err = run(capsys, *words)
-    assert (code, out, err.count("\n")) == (2, "", 1)
+    check_refused(run(capsys, *words))
 
 
 @pytest.mark.parametrize(
@@ -150,8 +143,7 @@ def test_unusable_boxes(words: tuple[str, ...], capsys: pytest.CaptureFixture[st
     ],
 )
 def test_unusable_grids(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, err = run(capsys, *words)
-    assert (code, out, err.count("\n")) == (2, "", 1)
+    check_refused(run(capsys, *words))
 
 
 def test_the_document_has_the_promised_shape(capsys: pytest.CaptureFixture[str]) -> None:
@@ -371,12 +363,9 @@ BAD = [
 def test_bad_input_is_one_line_that_names_the_option(
     capsys: pytest.CaptureFixture[str], words: list[str], option: str
 ) -> None:
-    code, out, err = run(capsys, *words)
-    assert (code, out) == (2, "")
-    assert err.count("\n") == 1
-    assert option in err
-    assert "Traceback" not in err
-    assert len(err) < 300
+    found = run(capsys, *words)
+    check_refused(found, option)
+    assert len(found[2]) < 300
 
 
 @pytest.mark.parametrize(

@@ -193,6 +193,15 @@ def scene_folder(name: str, made: Path) -> str:
     return str(made)
 
 
+def theorem_of(name: str, path: Path, capsys: pytest.CaptureFixture[str]) -> tuple[str, str]:
+    """What is exported of a scene, and what its theorem says."""
+    folder = scene_folder(name, path / "made")
+    capsys.readouterr()
+    assert main(["export", "coq", "--balls", folder]) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    return text, text.partition("Theorem three_balls : ")[2].partition(". Proof.")[0]
+
+
 @pytest.mark.parametrize(
     ("name", "criterion"),
     [*zip(FINITE, ("restitution", "momentum", "turning", "turning", "receding"), strict=True)],
@@ -200,12 +209,8 @@ def scene_folder(name: str, made: Path) -> str:
 def test_a_scene_with_finitely_many_collisions_ends_in_its_theorem(
     name: str, criterion: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    folder = scene_folder(name, tmp_path / "made")
-    capsys.readouterr()
-    assert main(["export", "coq", "--balls", folder]) == 0
-    text = " ".join(capsys.readouterr().out.split())
+    text, said = theorem_of(name, tmp_path, capsys)
     assert f"finite_by_{criterion}" in text
-    said = text.partition("Theorem three_balls : ")[2].partition(". Proof.")[0]
     assert said.startswith("FiniteScenes.finite_after ")
     pairs = enumerate(FINITE[name].split(), 1)
     listed = "; ".join(f"(Theorem1.B{i}, Theorem1.B{j}, the_time_{n})" for n, (i, j) in pairs)
@@ -218,11 +223,7 @@ def test_a_scene_with_finitely_many_collisions_ends_in_its_theorem(
 def test_a_scene_that_disperses_ends_in_its_theorem(
     name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    folder = scene_folder(name, tmp_path / "made")
-    capsys.readouterr()
-    assert main(["export", "coq", "--balls", folder]) == 0
-    text = " ".join(capsys.readouterr().out.split())
-    said = text.partition("Theorem three_balls : ")[2].partition(". Proof.")[0]
+    text, said = theorem_of(name, tmp_path, capsys)
     assert re.findall(r"B(\d), Theorem1\.B(\d), ", said) == [
         tuple(x) for x in DISPERSING[name].split()
     ]
@@ -249,11 +250,7 @@ def test_the_rows_that_theorems_name_are_exported_and_no_others(file: str, name:
 def test_a_scene_that_collapses_ends_in_its_theorem(
     name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    folder = scene_folder(name, tmp_path / "made")
-    capsys.readouterr()
-    assert main(["export", "coq", "--balls", folder]) == 0
-    text = " ".join(capsys.readouterr().out.split())
-    said = text.partition("Theorem three_balls : ")[2].partition(". Proof.")[0]
+    text, said = theorem_of(name, tmp_path, capsys)
     collisions, _, after = said.partition("[")[2].partition("] ")
     pairs, roles, bounds = COLLAPSING[name]
     assert re.findall(r"B(\d), Theorem1\.B(\d), ", collisions) == [tuple(x) for x in pairs.split()]

@@ -75,10 +75,10 @@ def lemma(i: int, claim: Any, proof: Any, context: str | None = None) -> dict[st
     return {"lemma": f"l{i}", "context": context, "claim": claim, "proof": proof}
 
 
-def with_addend(addend: Any, using: list[str] | None = None) -> Pair:
+def with_addend(addend: Any) -> Pair:
     """A row about a variable by a sum with an addend."""
     pair = Pair().context("c", {"x": "1", "y": "1"}, {"pos": "0 < x", "y-pos": "0 < y"})
-    return pair.row("row", ["<=", "0", "x"], total("goal", addend, using=using or []), "c")
+    return pair.row("row", ["<=", "0", "x"], total("goal", addend), "c")
 
 
 def tower(base: Any, exponents: list[str]) -> Any:

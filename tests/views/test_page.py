@@ -15,9 +15,8 @@ from typing import Any
 
 import pytest
 
-from tests.cli.test_documents import validator
+from tests.cli.running import command, validator
 from tests.views.conftest import TABLE, build, pages_of
-from verify.cli import main
 from verify.paper.commands.citing import step_cited
 from verify.paper.commands.report import NAMES
 from verify.publication import ACCUSATIONS
@@ -260,10 +259,7 @@ def coarse(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("verify.measure.bench.out_of_date", lambda _: [])  # it has one table
 
 
-def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
-    code = main(["report", *words])
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
+run = command("report")
 
 
 @pytest.fixture

@@ -122,9 +122,9 @@ def measured(names: Iterable[str] = (), seconds: float = 60) -> Iterator[Judged]
 QUICK = ("ground", "poly-uni", "sqrt", "identity")
 
 
-def inequality_table(quick: bool, seconds: float = 60) -> Table:
+def inequality_table(quick: bool) -> Table:
     """For each category how many are decided and accepted, how fast, and how long proofs are."""
-    found = list(measured(QUICK if quick else (), seconds))
+    found = list(measured(QUICK if quick else ()))
     groups = list(dict.fromkeys(one.category for one in found))
     rows = [_counted(group, [one for one in found if one.category == group]) for group in groups]
     columns = (

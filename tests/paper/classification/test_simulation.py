@@ -138,12 +138,12 @@ class Watched:
                 self.wrong.append("a collapse at a smaller angle")
 
 
-def violations(seed: int, dimension: int, kind: str, equal: bool, most: int = 150) -> list[str]:
+def violations(seed: int, dimension: int, kind: str, equal: bool) -> list[str]:
     """What is wrong with one random run."""
     rates = [Fraction(t) for t in ("1/50", "1/20", "9/125", "2/25", "1/10", "1/5", "1/2", "9/10")]
     r = rates[seed % len(rates)] if equal else None
     balls = scattered(seed, dimension, equal=equal, r=r, kind=kind)
-    return Watched(balls, r, most).wrong
+    return Watched(balls, r, 150).wrong
 
 
 @pytest.mark.parametrize("dimension", [2, 3])

@@ -13,7 +13,6 @@ from tests.check.support import INTERVAL, Pair
 from tests.points import parameters
 from tests.readme_commands import ROOT
 from verify.cli import main
-from verify.paper.commands import pages
 from verify.paper.commands.certificates import THEOREMS
 from verify.paper.commands.regenerate import is_right_statement
 from verify.paper.commands.theorem1 import decide_point
@@ -28,8 +27,6 @@ def statement(selection: str = "repaired", r: str = "3/100") -> bytes:
 def test_the_programs_own() -> None:
     assert is_right_statement(statement())
     assert is_right_statement(statement("all"))
-    assert is_right_statement(write(pages.decide("spectrum"))["statement.json"])
-    assert is_right_statement(write(pages.decide("step"))["statement.json"])
 
 
 def test_what_is_refuted_or_printed_alone_is_not() -> None:

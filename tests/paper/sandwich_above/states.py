@@ -8,10 +8,8 @@ from typing import NamedTuple
 
 from flint import arb
 
-from tests.evaluation import value
-from tests.paper.sandwich.states import Random, Values, start_of
+from tests.paper.sandwich.states import Random, Values, holds, start_of
 from tests.paper.sharper.particles import Particles
-from verify.language.terms import Claim
 from verify.paper.commands.pages import page
 from verify.prover import balls
 from verify.prover.choices import round_to_digits
@@ -41,12 +39,6 @@ class Ending(NamedTuple):
 def below(number: float) -> Fraction:
     """A decimal with few digits that is no more than a positive number."""
     return round_to_digits(Fraction(number), up=False, digits=7)
-
-
-def holds(claim: Claim, at: Values) -> bool:
-    """Whether a claim is certain."""
-    lhs, rhs = (value(side, at, balls.exact) for side in (claim.lhs, claim.rhs))
-    return bool(lhs < rhs if claim.relation == "<" else lhs <= rhs)
 
 
 def step_at(at: Values, n: int, here: Point) -> tuple[arb, arb, arb]:

@@ -29,13 +29,11 @@ def on_a_line(r: str) -> Scene:
     return scene(r, (REST, (2, 0), ("-5/2", 0)), (REST, (-1, 0), (1, 0)))
 
 
-def aligned(
-    scale: str = "1", places: tuple[str, str] = ("1.002", "0.08"), r: str = "0.03"
-) -> Scene:
+def aligned(scale: str = "1", places: tuple[str, str] = ("1.002", "0.08")) -> Scene:
     """A collapse, with velocities times a number."""
     k = Fraction(scale)
     velocities = ((Fraction("-1.4") * k, 0), (Fraction("0.7") * k, Fraction("-0.1") * k))
-    return scene(r, (REST, (places[0], 0), ("-1.006", places[1])), (REST, *velocities))
+    return scene("0.03", (REST, (places[0], 0), ("-1.006", places[1])), (REST, *velocities))
 
 
 def at_angle(C: float, kappa: str) -> Scene:

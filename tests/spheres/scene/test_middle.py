@@ -40,11 +40,11 @@ velocities = [[0, 0], [-1, "0.1"], [1, "0.07"]]
 """
 
 
-def middle_of(rng: Random, r: Fraction | None = None) -> Middle:
+def middle_of(rng: Random) -> Middle:
     """Masses between 10⁻³ and 10³, and two coefficients of restitution."""
     masses = [Fraction(round(10 ** rng.uniform(-3, 3), 5)).limit_denominator(10**6)
               for _ in range(3)]  # fmt: skip
-    both = (r, r) if r is not None else tuple(Fraction(rng.randint(1, 999), 1000) for _ in "ab")
+    both = tuple(Fraction(rng.randint(1, 999), 1000) for _ in "ab")
     return Middle(0, (1, 2), masses[0], (masses[1], masses[2]), (both[0], both[1]))
 
 

@@ -9,9 +9,8 @@ from itertools import pairwise
 import pytest
 
 from verify import check
-from verify.language.statement import PROVED, Applies
+from verify.language.statement import Applies
 from verify.language.terms import as_term
-from verify.paper.commands import pages
 from verify.paper.commands.scene import scene_outcome
 from verify.prover import balls
 from verify.spheres.flow.follow import Flow
@@ -115,10 +114,6 @@ def test_the_certificate_is_accepted_and_a_lie_is_not() -> None:
         assert report_on(lied).verdict == "REFUSED"
     bent = ((zero, zero), (2 * one, Fraction(1, 10**9)), positions[2])
     assert not is_on_a_line(scene._replace(positions=bent))
-
-
-def test_the_theorem_is_proved() -> None:
-    assert pages.decide("line").verdict == PROVED
 
 
 def exact_collisions(scene: Scene, most: int) -> tuple[list[Fraction], bool]:

@@ -16,8 +16,9 @@ from verify.language.record import Record
 from verify.prover import balls
 from verify.spheres.flow.law import Number
 from verify.spheres.many.isolation import is_apart
-from verify.spheres.many.motion import ZERO, Motion, inner
+from verify.spheres.many.motion import ZERO, Motion
 from verify.spheres.many.queue import Queue
+from verify.spheres.scene.scene import inner_product
 
 MOST = 3
 
@@ -79,7 +80,7 @@ def _cloud(motion: Motion, group: Sequence[int], time: Number) -> Cloud:
     masses = [system.masses[k] for k in group]
     total = sum(masses, Fraction(0))
     parts = [balls.exact(mass / total) for mass in masses]
-    x, v = ([inner(parts, row) for row in zip(*rows, strict=True)]
+    x, v = ([inner_product(parts, row) for row in zip(*rows, strict=True)]
             for rows in ([b.x for b in now], [b.v for b in now]))  # fmt: skip
     if len(group) == 1:
         return Cloud(x, v, balls.exact(system.radii[group[0]]), ZERO)
@@ -95,7 +96,7 @@ def _cloud(motion: Motion, group: Sequence[int], time: Number) -> Cloud:
 
 def _square(row: Sequence[Number], centre: Sequence[Number]) -> Number:
     difference = [a - b for a, b in zip(row, centre, strict=True)]
-    return inner(difference, difference)
+    return inner_product(difference, difference)
 
 
 def _root_above(value: Number) -> Number:

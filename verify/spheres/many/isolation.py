@@ -29,10 +29,10 @@ from verify.prover import balls
 from verify.spheres.flow.collapse import Collapse, start_of
 from verify.spheres.flow.law import Number
 from verify.spheres.flow.three_balls import Bodies, find_three_balls, scaled
-from verify.spheres.many.motion import ZERO, Approach, Motion, Shift, inner
+from verify.spheres.many.motion import ZERO, Approach, Motion, Shift
 from verify.spheres.many.queue import Queue, above
 from verify.spheres.scene.decide import bodies_of
-from verify.spheres.scene.scene import Coordinates, Scene, sizes_of
+from verify.spheres.scene.scene import Coordinates, Scene, inner_product, sizes_of
 
 #: The middle ball, that which it has met, and that which it meets next, in a scene of the three.
 FRAME = (0, 1, 2)
@@ -55,7 +55,11 @@ def is_apart(
     x: Sequence[Number], w: Sequence[Number], reach: Number, slope: Number, time: Number | None
 ) -> bool:
     """True only if |x + tw| > reach + slope·t for all t from 0 to a time; None: for ever."""
-    c, b, a = inner(x, x) - reach * reach, inner(x, w) - reach * slope, inner(w, w) - slope * slope
+    c, b, a = (
+        inner_product(x, x) - reach * reach,
+        inner_product(x, w) - reach * slope,
+        inner_product(w, w) - slope * slope,
+    )
     if not c > 0:
         return False
     if b >= 0 and a >= 0:
@@ -208,7 +212,7 @@ def _is_off(way: Approach, slope: Number, later: Number) -> bool:
     return bool(way.gap > 0) and bool(way.gap + later * (way.rate - slope + later * bend) > 0)
 
 
-def exact_time(time: Number, wait: Number, share: Fraction = Fraction(1, 2)) -> Number:
-    """A decimal about so far on the way from a time to that later one, and strictly between."""
-    part = wait * balls.exact(share)
+def exact_time(time: Number, wait: Number) -> Number:
+    """A decimal about halfway from a time to that later one, and strictly between."""
+    part = wait * balls.exact(Fraction(1, 2))
     return balls.decimal(time + part, 2 - balls.exponent(part))

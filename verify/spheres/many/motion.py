@@ -19,6 +19,7 @@ from verify.language.record import Record
 from verify.prover import balls
 from verify.spheres.flow.law import Number, Pair
 from verify.spheres.many.system import System
+from verify.spheres.scene.scene import inner_product
 
 Vector = Sequence[Number]
 #: Whole numbers of periods that are added to a difference; empty without a box.
@@ -42,11 +43,6 @@ class Approach(Record):
     fall: Number
 
 
-def inner(x: Vector, z: Vector) -> Number:
-    """The inner product."""
-    return reduce(add, (a * b for a, b in zip(x, z, strict=True)))
-
-
 class Motion:
     """The balls of a system."""
 
@@ -61,7 +57,7 @@ class Motion:
         self.gravity = [balls.exact(g) for g in system.gravity]
         self.box = [balls.exact(side) for side in system.box]
         self.normals = [[balls.exact(a) for a in wall.normal] for wall in system.walls]
-        self.norms = [balls.any_root(inner(n, n)) for n in self.normals]
+        self.norms = [balls.any_root(inner_product(n, n)) for n in self.normals]
 
     def short(self, value: Number) -> Number:
         """A rational number stays one while it is short."""
@@ -91,24 +87,24 @@ class Motion:
         """The two balls at a time; at the time 0 of the pair, in the words of the law."""
         x, w = self.difference(self.at(i, time), self.at(j, time), shift)
         square = balls.exact(self.system.contact(i, j) ** 2)
-        return Pair(inner(x, x) - square, inner(x, w), inner(w, w))
+        return Pair(inner_product(x, x) - square, inner_product(x, w), inner_product(w, w))
 
     def approach(self, i: int, wall: int, time: Number) -> Approach:
         """How a ball moves towards a wall."""
-        fall = inner(self.normals[wall], self.gravity) if self.gravity else ZERO
+        fall = inner_product(self.normals[wall], self.gravity) if self.gravity else ZERO
         if time is self.balls[i].time and self.on.get(i, (None, None))[0] == wall:
             return Approach(ZERO, self.on[i][1], fall)
         ball, n, level = self.at(i, time), self.normals[wall], self.system.walls[wall].level
         reach = balls.exact(self.system.radii[i]) * self.norms[wall]
-        gap = inner(n, ball.x) - balls.exact(level) - reach
-        return Approach(gap, inner(n, ball.v), fall)
+        gap = inner_product(n, ball.x) - balls.exact(level) - reach
+        return Approach(gap, inner_product(n, ball.v), fall)
 
     def collide(self, i: int, j: int, time: Number, shift: Shift) -> Number:
         """Afterwards both balls have collided; the normal speed just before is given back."""
         system, one, two = self.system, self.at(i, time), self.at(j, time)
         x, w = self.difference(one, two, shift)
         reach = balls.exact(system.contact(i, j))
-        push = -inner(x, w) / (reach * reach)
+        push = -inner_product(x, w) / (reach * reach)
         whole, total = 1 + system.restitution(i, j), system.masses[i] + system.masses[j]
         for k, other, sign in ((i, j, -1), (j, i, 1)):
             part = push * balls.exact(sign * whole * system.masses[other] / total)

@@ -25,9 +25,10 @@ from verify.spheres.flow.follow import (
     never_meets,
 )
 from verify.spheres.flow.law import Number, Pair
-from verify.spheres.many.motion import ZERO, Approach, Ball, Motion, Shift, inner
+from verify.spheres.many.motion import ZERO, Approach, Ball, Motion, Shift
 from verify.spheres.many.nearby import FEW, FOR_EVER, Nearby
 from verify.spheres.many.system import name_of
+from verify.spheres.scene.scene import inner_product
 
 #: Of the radius of the smallest ball: what is less certain of a place in a box is not used.
 CERTAIN = 1e-11
@@ -296,7 +297,7 @@ def check_apart(motion: Motion, before: dict[int, Ball], events: Sequence[Event]
             difference = [b - a for a, b in zip(paths[i], paths[j], strict=True)]
             square = balls.exact(motion.system.contact(i, j) ** 2)
             for place in near_images(motion, difference):
-                if not inner(place, place) > square:
+                if not inner_product(place, place) > square:
                     raise UnclearError(
                         f"{one.says} and {two.says} meet at the same time, and {name_of(i, j)} may "
                         "touch then", NEAR_TRIPLE,

@@ -18,6 +18,7 @@ from verify.prover.universal import Universal
 
 #: With more variables than these a goal is not tried again with those that givens link to its own.
 MAX_LINKED = 5
+FEW_PARTS, MANY_PARTS = 100, 2000
 
 
 class Technique(Record):
@@ -82,6 +83,7 @@ PRODUCTS = (
     Technique("sums of products", _from("linear", "by_products", degree=2)),
     Technique("orders of variables", _from("differences", "by_orders_of_variables")),
     Technique("powers of roots", _from("rising", "by_powers")),
+    Technique("squares where equations hold", _from("equations", "squares_on_equations")),
     Technique("powers of both sides", _from("equations", "by_whole_powers")),
     Technique("bounds of variables", _from("bounded", "by_bounds")),
 )
@@ -98,7 +100,9 @@ SEARCHES = (
     ELEMENTARY,
     Technique("products of logarithms", _from("laws", "by_products_of_logarithms")),
     Technique("multiple angles", _from("multiple_angles", "by_multiple_angles")),
-    Technique("coefficients on few parts", _from("bernstein_boxes", "by_bernstein")),
+    Technique(
+        "coefficients on few parts", _from("bernstein_boxes", "by_bernstein", parts=FEW_PARTS)
+    ),
     Technique("slopes", _from("mean_values", "by_mean_values")),
     Technique("arguments of functions", _from("arguments_of_functions", "by_arguments")),
     Technique("squaring", _from("squaring", "by_squaring")),
@@ -107,6 +111,9 @@ SEARCHES = (
     Technique("entries", _from("extrema", "by_entries")),
     Technique("cases", _from("extrema", "by_cases")),
     Technique("squares", _from("positive", "squares")),
+    Technique(
+        "coefficients on many parts", _from("bernstein_boxes", "by_bernstein", parts=MANY_PARTS)
+    ),
 )
 
 

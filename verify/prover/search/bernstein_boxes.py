@@ -28,8 +28,9 @@ MAX_SIZE = 800
 MAX_DEPTH = 40
 #: A degree in one variable is at most this much larger than that of the polynomial.
 MAX_ELEVATION = 40
-#: So many parts are tried at most, and what their leaves may cost the checker, in its units.
-MAX_PARTS, MAX_UNITS = 100, 1_500_000
+#: What leaves may cost the checker, in its units, for each part that may be tried; and at most.
+UNITS = 15_000
+MAX_UNITS = 4_500_000
 
 
 def on_interval(goal: Goal) -> Sum | None:
@@ -92,10 +93,10 @@ def by_coefficients(question: Question) -> Proof | None:
     return on_interval(question.plain)
 
 
-def by_bernstein(question: Question) -> Proof | None:
+def by_bernstein(question: Question, parts: int) -> Proof | None:
     """A proof for a polynomial, or a quotient, in variables between numbers.
 
-    On parts where a given fails nothing else has to be shown.
+    So many ``parts`` are tried at most. On parts where a given fails nothing else has to be shown.
     """
     goal = question.goal
     system = System(question) if question.given else None
@@ -119,6 +120,7 @@ def by_bernstein(question: Question) -> Proof | None:
     tensors.sort(key=lambda pair: len(pair[1].coefficients))
     points = [[zero.get(name, Fraction(0)) for name in names] for zero in question.simple_zeros]
     search = _Search(question, names, sorted(used), found, points)
+    search.most = parts
     return search.cover(Part(box, tuple(tensors), 0))
 
 
@@ -189,7 +191,7 @@ class _Search:
         self.names, self.used, self.zeros = names, used, zeros
         self.alternatives = alternatives
         self.budget, self.using = question.budget, question.using
-        self.parts = self.units = 0
+        self.parts = self.units = self.most = 0
 
     def cover(self, part: Part) -> Proof | None:
         """A proof on a part."""
@@ -197,7 +199,11 @@ class _Search:
         if proof is not None:
             return proof
         self.parts += 1
-        if self.parts > MAX_PARTS or self.units > MAX_UNITS or part.depth >= MAX_DEPTH:
+        if (
+            self.parts > self.most
+            or self.units > min(UNITS * self.most, MAX_UNITS)
+            or part.depth >= MAX_DEPTH
+        ):
             return None
         if self._fails(part):
             return None

@@ -65,6 +65,10 @@ class Ideal:
                 return polynomial, {}
         return rest, {name: cofactor for name, cofactor in taken.items() if not cofactor.is_zero()}
 
+    def has_multiple(self, exponents: Exponents) -> bool:
+        """Whether a monomial is a multiple of a leading one."""
+        return any(_divides(element.leading, exponents) for element in self.elements)
+
     def _add(self, polynomial: fmpq_mpoly, cofactors: Cofactors) -> None:
         rest, taken = self.normal_form(polynomial)
         if rest.is_zero() or len(rest) > MAX_TERMS or int(rest.total_degree()) > MAX_DEGREE:

@@ -293,14 +293,10 @@ def _theorem_of(statement: bytes) -> str:
 
 
 def _remove(folder: str) -> None:
-    """Remove a folder as far as that goes; `shutil` takes longer to load than this takes."""
-    for path, folders, names in os.walk(folder, topdown=False):
-        links = [name for name in folders if os.path.islink(os.path.join(path, name))]
-        for name in (*names, *links):
-            with suppress(OSError):
-                os.unlink(os.path.join(path, name))
-        with suppress(OSError):
-            os.rmdir(path)
+    from shutil import rmtree  # loaded only where it is used
+
+    if folder:
+        rmtree(folder, ignore_errors=True)
 
 
 class UncheckableError(InputError):

@@ -39,7 +39,7 @@ def scale(claim: Claim, replaced: Mapping[Term, Term]) -> Fraction | None:
 def from_fact(
     session: Session,
     claim: Claim,
-    fact: str,
+    fact: str | None,
     using: Sequence[str] = (),
     is_negative: Callable[[Term], bool] | None = None,
 ) -> Sum | None:
@@ -48,6 +48,8 @@ def from_fact(
     Raises:
         TooLongError: if expanding both is too much work.
     """
+    if fact is None:
+        return None
     other = session.claims[fact]
     sides = (claim.lhs, claim.rhs, other.lhs, other.rhs)
     clearing = Clearing(sides, session.replaced(using), is_negative)

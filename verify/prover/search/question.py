@@ -250,8 +250,6 @@ class Question:
 
     def from_fact(self, claim: Claim, fact: str | None, using: Iterable[str] = ()) -> Proof | None:
         """A proof of a claim from a fact of which it is a positive multiple; else None."""
-        if fact is None:
-            return None
         from verify.prover.multiple import from_fact  # loaded only where it is used
 
         return from_fact(self.session, claim, fact, (*using,), self.is_negative)

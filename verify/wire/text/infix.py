@@ -757,8 +757,7 @@ class _Reader:
             return instead.FUNCTIONS[word]
         if word in NUMBERS or word == "π":
             return f"it is a number; write {word}"
-        is_name = is_name or word in GREEK
-        return f"write {word}*(...)" if is_name else nearest(word, CALLED)
+        return f"write {word}*(...)" if is_name or word in GREEK else nearest(word, CALLED)
 
     def _summed(self, word: str) -> Term:
         """The rest of ``sum(1/k^2, k, 1, 10)``: its term for each number, joined."""

@@ -413,8 +413,7 @@ class Reader:
         if letter != plain:
             from verify.wire.text import instead  # loaded only where it is used
 
-            meant = instead.of_letter(letter, written)
-            if meant:
+            if meant := instead.of_letter(letter, written):
                 raise self.places.error(keys, meant)
         default = tex if letter == plain else tex_of(letter)
         return letter, self.text([*keys, "tex"], item.get("tex", default), "LaTeX")

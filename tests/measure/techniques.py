@@ -131,7 +131,7 @@ def text(found: Mapping[str, Counts]) -> str:
         "pages of the paper that cite nothing, without the proofs that are written there. Each row",
         f"gets {WORK:_} units of work, and {WORK_OF_PAPER:_} in the paper: about microseconds.",
         "*a + b* means: the proofs of a rows, and of b lemmas. Claims in `test_whole_powers.py`,",
-        "`test_laws.py` and `test_what_is_known.py` of `tests/prover` need what finds nothing here.",
+        "`test_laws.py` and `test_what_is_known.py` of `tests/prover` need what finds none here.",
         "",
         f"| Technique | {' | '.join(found)} |",
         f"|---|{'---|' * len(found)}",

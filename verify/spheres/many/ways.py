@@ -3,7 +3,7 @@
 Each number comes with how wrong it may be: by the radius of the ball of arithmetic of which it is
 the middle, by a share ``MARGIN`` of all that it is computed from, which is much more than floats
 lose, and by ``TINY``, since products of small numbers underflow. So balls are left out only where
-it is certain that they do not touch. What overflows is no number, and nothing follows from it.
+it is certain that they do not touch.
 """
 
 from __future__ import annotations
@@ -17,7 +17,8 @@ from verify.prover.balls import as_float
 from verify.spheres.many.motion import ZERO, Motion
 from verify.spheres.many.nearby import FOR_EVER, MARGIN
 
-TINY = 1e-280
+#: Of larger numbers nothing follows: products of four of them are floats, too.
+TINY, LARGE = 1e-280, 1e75
 Array = np.ndarray[Any, Any]
 
 
@@ -85,16 +86,18 @@ class Ways:
     def at_once(self, i: int) -> list[int]:
         """Those that may touch it now; of others that do not part or pass by it is noted when."""
         seen = self._seen(i)
-        d, u = np.sqrt((seen.x**2).sum(0)), np.sqrt((seen.w**2).sum(0))
+        low_d, high_d = _norms(seen.x)
+        low_u, high_u = _norms(seen.w)
         p = (seen.x * seen.w).sum(0)
-        off_p = d * seen.off_w + u * seen.off_x + seen.off_x * seen.off_w + MARGIN * d * u + TINY
-        near, slow = d - seen.off_x, np.maximum(u - seen.off_w, 0.0)
+        off_p = high_d * seen.off_w + high_u * seen.off_x + seen.off_x * seen.off_w
+        off_p = off_p + MARGIN * high_d * high_u + TINY
+        near, slow = low_d - seen.off_x, np.maximum(low_u - seen.off_w, 0.0)
         part = slow**2 * (near**2 - seen.reach**2) * (1 - MARGIN)
-        apart = near > seen.reach
+        apart = (near > seen.reach) & (high_d < LARGE) & (high_u < LARGE)
         never = apart & ((p > off_p) | ((abs(p) + off_p) ** 2 + TINY < part))
-        wait = (near - seen.reach) / (u + seen.off_w) * (1 - MARGIN)
+        wait = (near - seen.reach) / (high_u + seen.off_w) * (1 - MARGIN)
         soonest = seen.start + wait - seen.off_start
-        left = apart & ~never & (soonest == soonest)
+        left = apart & ~never & (soonest < FOR_EVER)
         row = np.where(left, soonest, FOR_EVER)
         row[i] = FOR_EVER
         self.soonest[i], self.soonest[:, i] = row, row
@@ -141,6 +144,14 @@ class Ways:
         off_w = off_w + MARGIN * size[1] + off_start * abs(g).sum() + TINY
         reach = (self.radii[i] + self.radii) * (1 + MARGIN) + TINY
         return Seen(start, off_start, x, w, off_x, off_w, reach)
+
+
+def _norms(rows: Array) -> tuple[Array, Array]:
+    """Numbers below and above the lengths of vectors, up to what floats lose."""
+    size = abs(rows)
+    square = (rows * rows).sum(0)
+    is_root = square > TINY  # else squares may have underflown
+    return np.where(is_root, np.sqrt(square), size.max(0)), size.sum(0)
 
 
 def _radius(value: Any) -> float:

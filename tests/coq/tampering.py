@@ -317,6 +317,53 @@ OTHERS = {
     "law-masses": Definition("ThreeBalls", "(1 + mass o / mass c)", "(1 + mass c / mass o)"),
     "law-angle": Definition("ThreeBalls", "(to x o c) = - C /\\", "(to x o c) = C /\\"),
     "law-outer-pair": Definition("ThreeBalls", "  0 < K_c + K_s - K_o", "  0 <= K_c + K_s - K_o"),
+    "the-same-outside": Definition("Outside", "", ""),
+    "outside-approaches": Definition("Outside", "rate d s i j < 0.", "rate d s i j <= 0."),
+    "outside-never-strikes": Definition(
+        "Outside", "distance d s i j = 1 /\\ rate", "distance d s i j < 1 /\\ rate"
+    ),
+    "outside-near": Definition("Outside", "zeta_of d s i j < 1 /\\", "zeta_of d s i j <= 1 /\\"),
+    "outside-time": Definition(
+        "Outside", "(1 + sqrt (1 - zeta_of", "(1 - sqrt (1 - zeta_of"
+    ),
+    "outside-another-map": Definition(
+        "Outside", "(1 + r) / 2 * G * C_most.", "(1 + r) / 3 * G * C_most."
+    ),
+    "outside-another-ratio": Definition(
+        "Outside", "(v (collides_with (S n)) / w", "(v (collides_with n) / w"
+    ),
+    "outside-stops-late": Definition("Outside", "rho p <= 0 \\/", "rho p < 0 \\/"),
+    "outside-always-stops": Definition("Outside", "rho p ^ 2 <= load rho p.", "rho p ^ 2 <= 1."),
+    "outside-floor": Definition("Outside", "(n < N)%nat -> let p", "(n <= N)%nat -> let p"),
+    "outside-floor-from-above": Definition("Outside", "Q O <= Q_0 /\\", "Q O = Q_0 /\\"),
+    "outside-floor-later": Definition("Outside", "(M <= N)%nat /\\", "(N <= M)%nat /\\"),
+    "outside-no-r": Definition("Outside", "0 < r /\\ 1 <= G", "r < 0 /\\ 1 <= G"),
+    "outside-decay": Definition("Outside", "(1 + r) / 2 * G < 1 /\\", "(1 + r) * G < 1 /\\"),
+    "outside-no-gap": Definition("Outside", "0 < gap /\\ 0 < y /\\", "0 < gap /\\ y < 0 /\\"),
+    "outside-speed": Definition(
+        "Outside", "speed_at s B2 <= w B2 - gain * y", "speed_at s B2 <= w B2 - 2 * gain * y"
+    ),
+    "outside-angle": Definition(
+        "Outside", "minus_cosine d s <= C_most - turning * y.", "minus_cosine d s <= 0."
+    ),
+    "outside-other-flight": Definition(
+        "Outside", "Z t = later (t - time n) (Z (time n)))", "Z t = later 0 (Z (time n)))"
+    ),
+    "outside-another-order": Definition(
+        "Outside", "(Z (time n))) B0 (collides_with n).", "(Z (time n))) B0 (collides_with (S n))."
+    ),
+    "outside-too-late": Definition("Outside", "T Z time (S (S N)).", "T Z time (S (S (S N)))."),
+    "outside-no-trajectory": Definition(
+        "Outside", "trajectory d r s T Z -> ~", "trajectory d r s T Z -> T < 0 -> ~"
+    ),
+    "outside-in-the-plane": Definition(
+        "Outside",
+        "outside_theorem : Prop :=\n  forall d r G",
+        "outside_theorem : Prop :=\n  let d := 2%nat in forall r G",
+    ),
+    "outside-slow-collapse": Definition(
+        "Outside", "~ collapse d r s by_time c", "by_time < 1 -> ~ collapse d r s by_time c"
+    ),
     "matrix-entry": Definition("Spectrum", "- 59 * r - 1) / 64", "- 59 * r + 1) / 64"),
     "matrix-order": Definition(
         "Spectrum",
@@ -341,7 +388,7 @@ OTHERS = {
     ),
     "spectrum-no-decay": Definition("Spectrum", "exists q, 0 < q < 1 /\\", "exists q, 0 < q /\\"),
 }  # fmt: skip
-#: The page that pins each of the five, and the files with proofs on which it rests, with what they
+#: The page that pins each of the six, and the files with proofs on which it rests, with what they
 #: prove: a theorem for each proposition.
 PAGES = {
     "Classification": (
@@ -362,6 +409,13 @@ PAGES = {
             "ThreeBallsMap": ("stair_theorem",),
             "ThreeBallsCollapse": ("three_balls_theorem", "three_equal_balls"),
             "BallsFlowStep": ("law_theorem",),
+        },
+    ),
+    "Outside": (
+        "PinnedOutside",
+        {
+            "OutsideStep": ("next_theorem",),
+            "OutsideProof": ("outside_theorem", "floor_theorem", "no_collapse_theorem"),
         },
     ),
     "PrintedSign": ("PinnedPrintedSign", {"PrintedSignProof": ("printed_sign_theorem",)}),

@@ -73,7 +73,22 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
             "ThreeBallsCollapse.three_equal_balls_holds",
         ),
     },
-    "outside": {name: _GENERAL[name] for name in ("hard-spheres", "cauchy-schwarz")},
+    "outside": {
+        "hard-spheres": _GENERAL["hard-spheres"],
+        "goes-on": ("Outside.strikes_in_turn",),
+        "cauchy-schwarz": _GENERAL["cauchy-schwarz"],
+        "glue-next": (
+            "OutsideStep.next_theorem_holds",
+            "AnyStep.contact_next",
+            "OutsideProof.new_numbers",
+            "OutsideStep.two_strikes",
+        ),
+        "glue-ends": (
+            "OutsideProof.outside_theorem_holds",
+            "OutsideProof.no_collapse_theorem_holds",
+        ),
+        "glue-floor": ("OutsideProof.floor_theorem_holds",),
+    },
     "flow": {"hard-spheres": _GENERAL["hard-spheres"]},
     "flow-of-balls": {"any-balls": ("Line.meets_next", "Line.parts")},
     "line": {

@@ -46,7 +46,8 @@ POINTS = (
 )
 #: Which collapses there are, what becomes of scenes, and the spectrum.
 COLLAPSES = (
-    "no_triangle", "least_angle", "bounded_impulse", "no_spin", "finite_or_endless", "finite_if",
+    "no_triangle", "least_angle", "least_angle_in_time", "bounded_impulse", "no_spin",
+    "finite_or_endless", "finite_if",
 )  # fmt: skip
 THREE_BALLS = ("three_balls_theorem", "stairs_theorem", "three_equal_balls", "law_theorem")
 OUTSIDE = ("next_theorem", "outside_theorem", "floor_theorem", "no_collapse")

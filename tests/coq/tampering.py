@@ -38,6 +38,8 @@ class Definition(NamedTuple):
     new: str
 
 
+#: Between what the places are in the end and the second condition on the angle there.
+LEAST = " /\\\n    4 * sqrt r / (1 + r) <= minus_cosine_at d at_T o a c <= 1 /\\\n    "
 #: In Theorem1.v, seen by Pinned.v; and in Meaning.v and Separatrix.v, each seen by its own page.
 DEFINITIONS = {
     "time-bound": Definition("Theorem1", "T <= by_time", "T <= - by_time"),
@@ -225,8 +227,31 @@ OTHERS = {
         "scenes (S n) = collided d r (i n) (j n) arriving",
         "scenes (S n) = collided d r B0 (j n) arriving",
     ),
-    "collapse-least-angle": Definition("Classification", "4 * sqrt r / (1", "3 * sqrt r / (1"),
-    "collapse-second": Definition("Classification", "2 * cube_root r * (1", "cube_root r * (1"),
+    "collapse-least-angle": Definition(
+        "Classification",
+        "at_T o c = 1 /\\\n    4 * sqrt r / (1",
+        "at_T o c = 1 /\\\n    3 * sqrt r / (1",
+    ),
+    "collapse-second": Definition("Classification", f"= 1{LEAST}(2 *", f"= 1{LEAST}("),
+    "collapse-radii-least-angle": Definition(
+        "Classification", "radius c /\\\n    4 * sqrt r", "radius c /\\\n    3 * sqrt r"
+    ),
+    "collapse-radii-second": Definition(
+        "Classification", f"radius c{LEAST}(2 *", f"radius c{LEAST}("
+    ),
+    "collapse-radii-of-one": Definition(
+        "Classification",
+        "strikes d (fun _ => m) radius scenes time i j ->",
+        "strikes d (fun _ => m) (fun _ => 1) scenes time i j ->",
+    ),
+    "collapse-radii-elastic": Definition(
+        "Classification", "    - r * rate d (later", "    - r * r * rate d (later"
+    ),
+    "collapse-radii-in-no-time": Definition(
+        "Classification",
+        "restituted d r scenes time i j -> Un_cv time T ->",
+        "restituted d r scenes time i j -> Un_cv time (- T) -> T = 0 ->",
+    ),
     "collapse-acute": Definition("Classification", "(to at_T o c) <= 0", "(to at_T o c) <= 1"),
     "collapse-at-no-r": Definition("Classification", "7 - 4 * sqrt 3 < r", "8 - 4 * sqrt 3 < r"),
     "collapse-in-a-line": Definition(
@@ -395,7 +420,8 @@ PAGES = {
         "PinnedClassification",
         {
             "ClassificationProof": (
-                "no_triangle", "least_angle", "never", "bounded_impulse", "no_spin",
+                "no_triangle", "least_angle", "least_angle_in_time", "never", "bounded_impulse",
+                "no_spin",
                 "never_with_spin", "never_outward",
             ),
             "Turning": ("never_turning",),

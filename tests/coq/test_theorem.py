@@ -331,6 +331,17 @@ SAID = {
             "* (1 + Rpower r (1 / 3)) / (1 + r) <= minus_cosine_at d at_T o a c \\/"
         ),
         (
+            "forall d m radius r places velocities time T i j, 0 < m -> (forall b, 0 < radius b) "
+            "-> 0 < r <= 1 -> collisions d (fun _ => m) radius places velocities time i j -> "
+            "(forall n, rate d (places (S n)) (velocities (S n)) (i n) (j n) = - r * rate d "
+            "(places (S n)) (velocities n) (i n) (j n)) -> Un_cv time T -> exists at_T o a c N, "
+            "settles d places at_T /\\ in_turn_from N i j o a c /\\ distance d at_T o a = radius "
+            "o + radius a /\\ distance d at_T o c = radius o + radius c /\\ 4 * sqrt r / (1 + r) "
+            "<= minus_cosine_at d at_T o a c <= 1 /\\ (2 * Rpower r (1 / 3) * (1 + Rpower r (1 / "
+            "3)) / (1 + r) <= minus_cosine_at d at_T o a c \\/ forall a b k, (k < d)%nat -> Un_cv "
+            "(fun n => from_to (velocities n) a b k) 0)."
+        ),
+        (
             "endless d r x v places velocities time i j -> 0 < spin2 d x v -> exists T, Un_cv "
             "time T."
         ),
@@ -646,6 +657,9 @@ WEAKER = (
     ("PinnedPrintedSign", "+ delta_theta < 4 * sqrt r / (1 + r)) /\\", "+ delta_theta < 4) /\\"),
     ("PinnedClassification", "4 * sqrt r / (1 + r) <=", "3 * sqrt r / (1 + r) <="),
     ("PinnedClassification", "(from_to at_T o c) <= 0.", "(from_to at_T o c) <= 1."),
+    ("PinnedClassification", "collisions d (fun _ => m)", "collisions 2 (fun _ => m)"),
+    ("PinnedClassification", "    - r * rate d (places", "    - rate d (places"),
+    ("PinnedClassification", "0 < m -> (forall b, 0 < rad", "0 < m -> (forall b, 1 < rad"),
     ("PinnedClassification", "7 - 4 * sqrt 3 < r \\/", "1 < r \\/"),
     ("PinnedClassification", "6 <= size d x \\/", "7 <= size d x \\/"),
     ("PinnedClassification", "0 <= rate d x w i j <=", "0 < rate d x w i j <="),

@@ -17,6 +17,7 @@ Definition B1 : ball := Theorem1.B1.
 (* The propositions are spelled out in PinnedClassification.v and PinnedPrintedSign.v. *)
 Check (ClassificationProof.no_triangle_holds : Classification.no_triangle).
 Check (ClassificationProof.least_angle_holds : Classification.least_angle).
+Check (ClassificationProof.least_angle_in_time_holds : Classification.least_angle_in_time).
 Check (PrintedSignProof.printed_sign_theorem_holds : PrintedSign.printed_sign_theorem).
 (* cauchy-schwarz for planes, and for three balls: the inner product of two planes is a sum over pairs of
    coordinates; the moment of inertia times the energy bounds the squares of A and of L. *)

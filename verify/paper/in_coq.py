@@ -127,6 +127,7 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
             "Deadline.never_late",
             "ManyBalls.not_before",
         ),
+        "glue-second": ("ClassificationProof.least_angle_in_time_holds",),
     },
     "elsewhere": {"cauchy-schwarz": ("Vectors.cauchy_schwarz", "Calculus.lengths_add")},
     SIGN: {"glue-as-printed": ("PrintedSignProof.printed_sign_theorem_holds",)},

@@ -342,6 +342,25 @@ OTHERS = {
     "law-masses": Definition("ThreeBalls", "(1 + mass o / mass c)", "(1 + mass c / mass o)"),
     "law-angle": Definition("ThreeBalls", "(to x o c) = - C /\\", "(to x o c) = C /\\"),
     "law-outer-pair": Definition("ThreeBalls", "  0 < K_c + K_s - K_o", "  0 <= K_c + K_s - K_o"),
+    "the-same-sandwich": Definition("Sandwich", "", ""),
+    "sandwich-no-r": Definition("Sandwich", "0 < r /\\ 1 <= G", "r < 0 /\\ 1 <= G"),
+    "sandwich-no-room": Definition("Sandwich", "0 < gap /\\ 0 < y", "0 < gap /\\ y < 0"),
+    "sandwich-another-map": Definition("Sandwich", "(r * G) (inner n) end", "r (inner n) end"),
+    "sandwich-another-order": Definition(
+        "Sandwich", "w (last_ball B1 B2 n) / w (next", "w (next_ball B1 B2 n) / w (next"
+    ),
+    "sandwich-stops": Definition(
+        "Sandwich", "forall n, 0 < pace alpha", "forall n, 0 <= pace alpha"
+    ),
+    "sandwich-faster": Definition(
+        "Sandwich", "speed B1 <= w B1 - gain * y", "speed B1 <= w B1 - 2 * gain * y"
+    ),
+    "sandwich-angle": Definition("Sandwich", "* y <= Theta.", "* y <= Theta / 2."),
+    "sandwich-later": Definition("Sandwich", "collapse d r s (G *", "collapse d r s (2 * G *"),
+    "sandwich-in-the-plane": Definition(
+        "Sandwich", "forall d r G slow", "let d := 2%nat in forall r G slow"
+    ),
+    "sandwich-stair": Definition("Sandwich", "(n <= S N)%nat", "(n <= S (S N))%nat"),
     "the-same-outside": Definition("Outside", "", ""),
     "outside-approaches": Definition("Outside", "rate d s i j < 0.", "rate d s i j <= 0."),
     "outside-never-strikes": Definition(
@@ -413,7 +432,7 @@ OTHERS = {
     ),
     "spectrum-no-decay": Definition("Spectrum", "exists q, 0 < q < 1 /\\", "exists q, 0 < q /\\"),
 }  # fmt: skip
-#: The page that pins each of the six, and the files with proofs on which it rests, with what they
+#: The page that pins each of the seven, and the files with proofs on which it rests, with what they
 #: prove: a theorem for each proposition.
 PAGES = {
     "Classification": (
@@ -436,6 +455,10 @@ PAGES = {
             "ThreeBallsCollapse": ("three_balls_theorem", "three_equal_balls"),
             "BallsFlowStep": ("law_theorem",),
         },
+    ),
+    "Sandwich": (
+        "PinnedSandwich",
+        {"SandwichProof": ("sandwich_theorem", "inner_stair_theorem")},
     ),
     "Outside": (
         "PinnedOutside",

@@ -201,7 +201,15 @@ def test_what_coq_proves_of_the_sentences_taken_on_trust_is_pinned() -> None:
     for name in discharging():
         file, _, theorem = name.partition(".")
         text = (SOURCES / f"{file}.v").read_text()
-        defines = file in ("Theorem1", "Separatrix", "Spectrum", "Line", "ThreeBalls", "Outside")
+        defines = file in (
+            "Theorem1",
+            "Separatrix",
+            "Spectrum",
+            "Line",
+            "ThreeBalls",
+            "Outside",
+            "Sandwich",
+        )
         kinds = "Definition|Record|Fixpoint" if defines else "Theorem|Lemma"
         assert len(re.findall(rf"^({kinds}) {theorem}\b", text, re.MULTILINE)) == 1, name
         assert pinned(name), name
@@ -529,6 +537,60 @@ SAID = {
         ),
         "Print Assumptions three_balls_proved.",
     ),
+    "PinnedSandwich": (
+        "Definition c_ (n : nat) : ball := if Nat.even n then B2 else B1.",
+        "Definition s_ (n : nat) : ball := if Nat.even n then B1 else B2.",
+        "Definition alpha : R := (1 + r) / 2 * (C_0 - Theta).",
+        "Definition rho (n : nat) : R := G * (w (s_ n) / w (c_ n)) ^ 2.",
+        (
+            "Fixpoint orbit (n : nat) : R * R := match n with O => (Q_0, U_0) | S n => "
+            "PinnedThreeBalls.next alpha (rho n) (r * G) (orbit n) end."
+        ),
+        (
+            "Definition endless_map : Prop := forall n, let P := PinnedThreeBalls.P alpha "
+            "(rho n) (orbit n) in 0 < P /\\ PinnedThreeBalls.L (rho n) (orbit n) <= U_b * (2"
+            " - U_b) * P ^ 2."
+        ),
+        (
+            "Definition stairs (N : nat) (Q U : nat -> R) : Prop := 0 <= Q_0 <= Q O /\\ 0 <="
+            " U_0 <= U O /\\ (forall n, (n <= S N)%nat -> let P := PinnedThreeBalls.P alpha "
+            "(rho n) (Q n, U n) in 0 <= Q n /\\ 0 <= U n <= U_b /\\ 0 <= U (S n) <= U_b /\\ 0 "
+            "< P /\\ r * G * (1 - U n) <= Q (S n) * P /\\ PinnedThreeBalls.L (rho n) (Q n, U "
+            "n) <= U (S n) * (2 - U (S n)) * P ^ 2) /\\ Q (S (S N)) <= Q N /\\ U (S (S N)) <="
+            " U N."
+        ),
+        (
+            "Definition numbers : Prop := 0 < r /\\ 1 <= G /\\ (1 + r) / 2 * G < 1 /\\ 0 < "
+            "slow /\\ slow <= w B2 /\\ slow <= w B1 /\\ U_0 <= U_b < 1 /\\ Theta < C_0 <= 1."
+        ),
+        (
+            "Definition closing d (x v : ball -> nat -> R) : R := - rate d x v B0 B2 / "
+            "distance d x B0 B2."
+        ),
+        (
+            "Definition start d (x v : ball -> nat -> R) : Prop := let y := closing d x v "
+            "in let gap := distance d x B0 B2 - 1 in let fall := (1 + r) / 2 * G in let "
+            "gain := fall / (1 - fall ^ 2) in let speed b := sqrt (dot d (from_to v B0 b) "
+            "(from_to v B0 b)) in distance d x B0 B1 = 1 /\\ 0 < gap /\\ 0 < y /\\ 0 < rate d "
+            "x v B0 B1 <= Q_0 * y /\\ gap * (2 + gap) * w B2 ^ 2 <= U_0 * (2 - U_0) * (1 + "
+            "gap) ^ 2 * y ^ 2 /\\ U_b * (2 - U_b) * y ^ 2 * G ^ 2 <= slow ^ 2 * (G ^ 2 - 1) "
+            "/\\ speed B2 <= w B2 - fall * gain * y /\\ speed B1 <= w B1 - gain * y /\\ Rabs "
+            "(minus_cosine d x - C_0) + (w B2 + w B1 + y) * (G * U_b / slow / slow) / (1 - "
+            "fall) * y <= Theta."
+        ),
+        (
+            "Definition sandwich_theorem : Prop := forall d r G slow U_b C_0 Theta Q_0 U_0 "
+            "w x v, numbers r G slow U_b C_0 Theta U_0 w -> endless_map r G U_b C_0 Theta "
+            "Q_0 U_0 w -> start r G slow U_b C_0 Theta Q_0 U_0 w d x v -> collapse d r x v "
+            "(G * U_b / slow / slow / (1 - (1 + r) / 2 * G) * closing d x v) C_0 Theta."
+        ),
+        (
+            "Definition stairs_theorem : Prop := forall r G U_b C_0 Theta Q_0 U_0 w N Q U, "
+            "0 < r -> 1 <= G -> U_b < 1 -> Theta < C_0 -> stairs r G U_b C_0 Theta Q_0 U_0 "
+            "w N Q U -> endless_map r G U_b C_0 Theta Q_0 U_0 w."
+        ),
+        "Print Assumptions sandwich_proved.",
+    ),
     "PinnedOutside": (
         (
             "Definition strike d x v (i j : ball) : Prop := distance d x i j = 1 /\\ rate d "
@@ -689,6 +751,12 @@ WEAKER = (
     ("PinnedThreeBalls", "u' o c i y lam'", "u' o i c y lam'"),
     ("PinnedThreeBalls", "0 < kap /\\", "kap < 0 /\\"),
     ("PinnedThreeBalls", "(1 + mass o / mass c)", "(1 + mass c / mass o)"),
+    ("PinnedSandwich", "0 < gap /\\ 0 < y", "0 < gap /\\ y < 0"),
+    ("PinnedSandwich", "(r * G) (orbit n)", "r (orbit n)"),
+    ("PinnedSandwich", "w (s_ n) / w (c_ n)", "w (c_ n) / w (s_ n)"),
+    ("PinnedSandwich", "Theta < C_0 <= 1.", "Theta < C_0 <= 0."),
+    ("PinnedSandwich", "collapse d r x v (G", "collapse d r x v (2 * G"),
+    ("PinnedSandwich", "(n <= S N)%nat", "(n <= S (S N))%nat"),
     ("PinnedOutside", "rate d x v i j < 0.", "rate d x v i j < 1."),
     ("PinnedOutside", "zeta d x v i j < 1 /\\", "True /\\"),
     ("PinnedOutside", "Nat.even n then B2 else B1.", "Nat.even n then B1 else B2."),

@@ -7,7 +7,7 @@ Import ListNotations.
 From Verify Require Vectors Motion Runs Classification Contacts Settling Endless Turning ClassificationProof.
 From Verify Require Finite FiniteScenes Deadline ManyBalls Line LineProof PrintedSign PrintedSignProof.
 From Verify Require Meaning Balls AnyStep ThreeBalls ThreeBallsStep ThreeBallsMap ThreeBallsCollapse BallsFlowStep.
-From Verify Require Ends Outside OutsideStep OutsideProof.
+From Verify Require Ends Outside OutsideStep OutsideProof Sandwich SandwichProof.
 From Verify Require Spectrum SpectrumMatrix SpectrumRoots SpectrumEigen SpectrumOrbits SpectrumSentences.
 Open Scope R_scope.
 Definition B1 : ball := Theorem1.B1.
@@ -168,6 +168,17 @@ Check (ThreeBallsMap.stair_theorem_holds : ThreeBalls.stair_theorem).
 Check (ThreeBallsCollapse.three_balls_theorem_holds : ThreeBalls.three_balls_theorem).
 Check (ThreeBallsCollapse.three_equal_balls_holds : ThreeBalls.three_equal_balls).
 Check (BallsFlowStep.law_theorem_holds : ThreeBalls.law_theorem).
+
+(* The same of equal balls, in the givens of the sandwich; comparison is a definition. The propositions are
+   spelled out in PinnedSandwich.v. *)
+Check (fun r G U_most C_0 Theta Q_0 U_0 w => eq_refl :
+  Sandwich.inner_goes_on r G U_most C_0 Theta Q_0 U_0 w =
+  forall n, let alpha := (1 + r) / 2 * (C_0 - Theta) in
+    let rho := G * (w (if Nat.even n then B1 else B2) / w (if Nat.even n then B2 else B1)) ^ 2 in
+    let p := Sandwich.inner r G C_0 Theta Q_0 U_0 w n in let P := alpha * (1 - snd p) - fst p - rho * snd p in
+    0 < P /\ rho * snd p * (2 * fst p + rho * snd p) <= U_most * (2 - U_most) * P ^ 2).
+Check (SandwichProof.inner_stair_theorem_holds : Sandwich.inner_stair_theorem).
+Check (SandwichProof.sandwich_theorem_holds : Sandwich.sandwich_theorem).
 
 (* --- where collisions in turn end ------------------------------------------------------------------- *)
 

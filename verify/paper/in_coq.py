@@ -52,7 +52,17 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
         "glue-collapse": ("SharperCollapse.collide_in_turn", "SharperCollapse.time_bounded"),
         "glue-angle": ("SharperCollapse.angle_stays", "SharperCollapse.sharper_collapse"),
     },
-    "sandwich": {**_GENERAL, **_LENGTH},
+    "sandwich": {
+        "hard-spheres": _GENERAL["hard-spheres"],
+        "comparison": ("Sandwich.inner_goes_on",),
+        "cauchy-schwarz": _GENERAL["cauchy-schwarz"],
+        "bounded-monotone": _GENERAL["bounded-monotone"],
+        **_LENGTH,
+        "glue-next": ("AnyStep.meets", "AnyStep.shows_next"),
+        "glue-stairs": ("SandwichProof.inner_stair_theorem_holds",),
+        "glue-collapse": ("SandwichProof.sandwich_theorem_holds",),
+        "glue-angle": ("SandwichProof.sandwich_theorem_holds",),
+    },
     "three-balls": {
         "any-balls": ("Line.meets_next", "Line.parts"),
         "comparison": ("ThreeBalls.goes_on",),

@@ -7,7 +7,8 @@ Import ListNotations.
 From Verify Require Vectors Motion Runs Classification Contacts Settling Endless Turning ClassificationProof.
 From Verify Require Finite FiniteScenes Deadline ManyBalls Line LineProof PrintedSign PrintedSignProof.
 From Verify Require Meaning Balls AnyStep ThreeBalls ThreeBallsStep ThreeBallsMap ThreeBallsCollapse BallsFlowStep.
-From Verify Require Ends Outside OutsideStep OutsideProof Sandwich SandwichProof.
+From Verify Require Ends Outside OutsideStep OutsideProof.
+From Verify Require Inner SandwichStep Sandwich SandwichProof.
 From Verify Require Spectrum SpectrumMatrix SpectrumRoots SpectrumEigen SpectrumOrbits SpectrumSentences.
 Open Scope R_scope.
 Definition B1 : ball := Theorem1.B1.
@@ -177,6 +178,11 @@ Check (fun r G U_most C_0 Theta Q_0 U_0 w => eq_refl :
     let rho := G * (w (if Nat.even n then B1 else B2) / w (if Nat.even n then B2 else B1)) ^ 2 in
     let p := Sandwich.inner r G C_0 Theta Q_0 U_0 w n in let P := alpha * (1 - snd p) - fst p - rho * snd p in
     0 < P /\ rho * snd p * (2 * fst p + rho * snd p) <= U_most * (2 - U_most) * P ^ 2).
+Check (SandwichStep.sandwich_step : forall v,
+  Meaning.scope Inner.the_statement SandwichStep.state_context v ->
+  AnyStep.step_certified (SandwichStep.numbers_of v) (SandwichStep.flight v)).
+Check (SandwichStep.new_numbers : forall v, SandwichStep.numbers_of (SandwichStep.new v) =
+  AnyStep.after_step (v Inner.number_of_r) (SandwichStep.numbers_of v) (SandwichStep.flight v)).
 Check (SandwichProof.inner_stair_theorem_holds : Sandwich.inner_stair_theorem).
 Check (SandwichProof.sandwich_theorem_holds : Sandwich.sandwich_theorem).
 

@@ -58,7 +58,12 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
         "cauchy-schwarz": _GENERAL["cauchy-schwarz"],
         "bounded-monotone": _GENERAL["bounded-monotone"],
         **_LENGTH,
-        "glue-next": ("AnyStep.meets", "AnyStep.shows_next"),
+        "glue-next": (
+            "SandwichStep.sandwich_step",
+            "SandwichStep.new_numbers",
+            "AnyStep.meets",
+            "AnyStep.shows_next",
+        ),
         "glue-stairs": ("SandwichProof.inner_stair_theorem_holds",),
         "glue-collapse": ("SandwichProof.sandwich_theorem_holds",),
         "glue-angle": ("SandwichProof.sandwich_theorem_holds",),

@@ -265,6 +265,9 @@ said(
 )
 said(P, "and if r < 1, the places", by=coded("r<1", V, "(r < 1 -> exists at_T, settles"))
 said(P, "equal balls with r < 1 this", by=coded("r<1", V, "e parting gap closing Q, 0 < r < 1 ->"))
+V = "verify/coq/PinnedOutside.v"
+said(P, "from the beginning, ζ < 1, and", by=coded("ζ<1", V, "zeta d x v i j < 1"))
+said(P, "no trajectory has N+2 collisions", by=coded("N+2", V, "T X V time (N + 2)"))
 V = "verify/coq/PinnedSpectrum.v"
 said(
     P, "of geometric multiplicity 1;", by=coded("1", V, "exists a b, u' = combination a u (- b) v")

@@ -22,7 +22,8 @@ ROOT = Path(__file__).resolve().parents[2] / "certificates"
 #: What `verify/coq/build` makes of some folders, for the theorems that use them.
 BUILT = {
     "step": "Step", "theorem1-all": "All", "flow": "Flow", "three-balls": "Balls",
-    "flow-of-balls": "BallsFlow",
+    "flow-of-balls": "BallsFlow", "sandwich": "Inner",
+    "outside": "Ends",
 }  # fmt: skip
 #: What ends in a theorem on three balls: two point runs, and five scenes.
 BALLS = {"theorem1-r-3-100": "Point", "theorem1-theta-5pi-6": "Angle"} | {

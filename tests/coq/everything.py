@@ -46,9 +46,11 @@ POINTS = (
 )
 #: Which collapses there are, what becomes of scenes, and the spectrum.
 COLLAPSES = (
-    "no_triangle", "least_angle", "bounded_impulse", "no_spin", "finite_or_endless", "finite_if",
+    "no_triangle", "least_angle", "least_angle_in_time", "bounded_impulse", "no_spin",
+    "finite_or_endless", "finite_if",
 )  # fmt: skip
 THREE_BALLS = ("three_balls_theorem", "stairs_theorem", "three_equal_balls", "law_theorem")
+OUTSIDE = ("next_theorem", "outside_theorem", "floor_theorem", "no_collapse")
 MATRIX = ("basis_theorem", "matrix_theorem", "stated_theorem", "one_triple_theorem")
 VALUES = (
     "characteristic_theorem", "spectrum_theorem", "eigenvector_theorem", "parameter_theorem",
@@ -236,13 +238,17 @@ def everything(folders: list[Path]) -> str:
         "Definition printed_set : PinnedPrintedSet.printed_set_theorem",
         "  := PinnedPrintedSet.printed_set_proved.",
         "From Verify Require PinnedClassification PinnedPrintedSign PinnedSpectrum PinnedLine",
-        "  PinnedThreeBalls.",
+        "  PinnedThreeBalls PinnedSandwich PinnedOutside.",
         f"Definition classification : {conjunction('PinnedClassification.', COLLAPSES)}",
         "  := PinnedClassification.classification_proved.",
         "Definition line : PinnedLine.line_theorem /\\ PinnedLine.equal_on_a_line",
         "  := PinnedLine.line_proved.",
         f"Definition three_balls : {conjunction('PinnedThreeBalls.', THREE_BALLS)}",
         "  := PinnedThreeBalls.three_balls_proved.",
+        "Definition sandwich : PinnedSandwich.sandwich_theorem /\\ PinnedSandwich.stairs_theorem",
+        "  := PinnedSandwich.sandwich_proved.",
+        f"Definition outside : {conjunction('PinnedOutside.', OUTSIDE)}",
+        "  := PinnedOutside.outside_proved.",
         "Definition printed_sign : PinnedPrintedSign.printed_sign_theorem",
         "  := PinnedPrintedSign.printed_sign_proved.",
         "Definition not_as_printed : ~ PinnedPrintedSign.as_printed",
@@ -269,7 +275,7 @@ def everything(folders: list[Path]) -> str:
     names = "".join(f", true_{name}" for name in own)
     main = f"soundness, files, theorem_1, point, angle, {', '.join(map(compiled, scenes))}"
     main += ", Pinned.collapsing_scene, printed_set, separatrix, discharged, classification"
-    main += ", line, three_balls, printed_sign, not_as_printed, matrix, spectrum"
+    main += ", line, three_balls, sandwich, outside, printed_sign, not_as_printed, matrix, spectrum"
     main += ", PinnedPrintedSign.false_for_all"
     lines.append(f"Definition everything := ({main}{names}).")
     return "\n".join([*lines, "Print Assumptions everything.", ""])

@@ -38,6 +38,8 @@ class Definition(NamedTuple):
     new: str
 
 
+#: Between what the places are in the end and the second condition on the angle there.
+LEAST = " /\\\n    4 * sqrt r / (1 + r) <= minus_cosine_at d at_T o a c <= 1 /\\\n    "
 #: In Theorem1.v, seen by Pinned.v; and in Meaning.v and Separatrix.v, each seen by its own page.
 DEFINITIONS = {
     "time-bound": Definition("Theorem1", "T <= by_time", "T <= - by_time"),
@@ -225,8 +227,31 @@ OTHERS = {
         "scenes (S n) = collided d r (i n) (j n) arriving",
         "scenes (S n) = collided d r B0 (j n) arriving",
     ),
-    "collapse-least-angle": Definition("Classification", "4 * sqrt r / (1", "3 * sqrt r / (1"),
-    "collapse-second": Definition("Classification", "2 * cube_root r * (1", "cube_root r * (1"),
+    "collapse-least-angle": Definition(
+        "Classification",
+        "at_T o c = 1 /\\\n    4 * sqrt r / (1",
+        "at_T o c = 1 /\\\n    3 * sqrt r / (1",
+    ),
+    "collapse-second": Definition("Classification", f"= 1{LEAST}(2 *", f"= 1{LEAST}("),
+    "collapse-radii-least-angle": Definition(
+        "Classification", "radius c /\\\n    4 * sqrt r", "radius c /\\\n    3 * sqrt r"
+    ),
+    "collapse-radii-second": Definition(
+        "Classification", f"radius c{LEAST}(2 *", f"radius c{LEAST}("
+    ),
+    "collapse-radii-of-one": Definition(
+        "Classification",
+        "strikes d (fun _ => m) radius scenes time i j ->",
+        "strikes d (fun _ => m) (fun _ => 1) scenes time i j ->",
+    ),
+    "collapse-radii-elastic": Definition(
+        "Classification", "    - r * rate d (later", "    - r * r * rate d (later"
+    ),
+    "collapse-radii-in-no-time": Definition(
+        "Classification",
+        "restituted d r scenes time i j -> Un_cv time T ->",
+        "restituted d r scenes time i j -> Un_cv time (- T) -> T = 0 ->",
+    ),
     "collapse-acute": Definition("Classification", "(to at_T o c) <= 0", "(to at_T o c) <= 1"),
     "collapse-at-no-r": Definition("Classification", "7 - 4 * sqrt 3 < r", "8 - 4 * sqrt 3 < r"),
     "collapse-in-a-line": Definition(
@@ -317,6 +342,72 @@ OTHERS = {
     "law-masses": Definition("ThreeBalls", "(1 + mass o / mass c)", "(1 + mass c / mass o)"),
     "law-angle": Definition("ThreeBalls", "(to x o c) = - C /\\", "(to x o c) = C /\\"),
     "law-outer-pair": Definition("ThreeBalls", "  0 < K_c + K_s - K_o", "  0 <= K_c + K_s - K_o"),
+    "the-same-sandwich": Definition("Sandwich", "", ""),
+    "sandwich-no-r": Definition("Sandwich", "0 < r /\\ 1 <= G", "r < 0 /\\ 1 <= G"),
+    "sandwich-no-room": Definition("Sandwich", "0 < gap /\\ 0 < y", "0 < gap /\\ y < 0"),
+    "sandwich-another-map": Definition("Sandwich", "(r * G) (inner n) end", "r (inner n) end"),
+    "sandwich-another-order": Definition(
+        "Sandwich", "w (last_ball B1 B2 n) / w (next", "w (next_ball B1 B2 n) / w (next"
+    ),
+    "sandwich-stops": Definition(
+        "Sandwich", "forall n, 0 < pace alpha", "forall n, 0 <= pace alpha"
+    ),
+    "sandwich-faster": Definition(
+        "Sandwich", "speed B1 <= w B1 - gain * y", "speed B1 <= w B1 - 2 * gain * y"
+    ),
+    "sandwich-angle": Definition("Sandwich", "* y <= Theta.", "* y <= Theta / 2."),
+    "sandwich-later": Definition("Sandwich", "collapse d r s (G *", "collapse d r s (2 * G *"),
+    "sandwich-in-the-plane": Definition(
+        "Sandwich", "forall d r G slow", "let d := 2%nat in forall r G slow"
+    ),
+    "sandwich-stair": Definition("Sandwich", "(n <= S N)%nat", "(n <= S (S N))%nat"),
+    "the-same-outside": Definition("Outside", "", ""),
+    "outside-approaches": Definition("Outside", "rate d s i j < 0.", "rate d s i j <= 0."),
+    "outside-never-strikes": Definition(
+        "Outside", "distance d s i j = 1 /\\ rate", "distance d s i j < 1 /\\ rate"
+    ),
+    "outside-near": Definition("Outside", "zeta_of d s i j < 1 /\\", "zeta_of d s i j <= 1 /\\"),
+    "outside-time": Definition(
+        "Outside", "(1 + sqrt (1 - zeta_of", "(1 - sqrt (1 - zeta_of"
+    ),
+    "outside-another-map": Definition(
+        "Outside", "(1 + r) / 2 * G * C_most.", "(1 + r) / 3 * G * C_most."
+    ),
+    "outside-another-ratio": Definition(
+        "Outside", "(v (collides_with (S n)) / w", "(v (collides_with n) / w"
+    ),
+    "outside-stops-late": Definition("Outside", "rho p <= 0 \\/", "rho p < 0 \\/"),
+    "outside-always-stops": Definition("Outside", "rho p ^ 2 <= load rho p.", "rho p ^ 2 <= 1."),
+    "outside-floor": Definition("Outside", "(n < N)%nat -> let p", "(n <= N)%nat -> let p"),
+    "outside-floor-from-above": Definition("Outside", "Q O <= Q_0 /\\", "Q O = Q_0 /\\"),
+    "outside-floor-later": Definition("Outside", "(M <= N)%nat /\\", "(N <= M)%nat /\\"),
+    "outside-no-r": Definition("Outside", "0 < r /\\ 1 <= G", "r < 0 /\\ 1 <= G"),
+    "outside-decay": Definition("Outside", "(1 + r) / 2 * G < 1 /\\", "(1 + r) * G < 1 /\\"),
+    "outside-no-gap": Definition("Outside", "0 < gap /\\ 0 < y /\\", "0 < gap /\\ y < 0 /\\"),
+    "outside-speed": Definition(
+        "Outside", "speed_at s B2 <= w B2 - gain * y", "speed_at s B2 <= w B2 - 2 * gain * y"
+    ),
+    "outside-angle": Definition(
+        "Outside", "minus_cosine d s <= C_most - turning * y.", "minus_cosine d s <= 0."
+    ),
+    "outside-other-flight": Definition(
+        "Outside", "Z t = later (t - time n) (Z (time n)))", "Z t = later 0 (Z (time n)))"
+    ),
+    "outside-another-order": Definition(
+        "Outside", "(Z (time n))) B0 (collides_with n).", "(Z (time n))) B0 (collides_with (S n))."
+    ),
+    "outside-too-late": Definition("Outside", "T Z time (S (S N)).", "T Z time (S (S (S N)))."),
+    "outside-no-trajectory": Definition(
+        "Outside", "trajectory d r s T Z -> ~", "trajectory d r s T Z -> T < 0 -> ~"
+    ),
+    "outside-in-the-plane": Definition(
+        "Outside",
+        "outside_theorem : Prop :=\n  forall d r G",
+        "outside_theorem : Prop :=\n  let d := 2%nat in forall r G",
+    ),
+    "outside-slow-collapse": Definition(
+        "Outside", "~ collapse d r s by_time c", "by_time < 1 -> ~ collapse d r s by_time c"
+    ),
     "matrix-entry": Definition("Spectrum", "- 59 * r - 1) / 64", "- 59 * r + 1) / 64"),
     "matrix-order": Definition(
         "Spectrum",
@@ -341,14 +432,15 @@ OTHERS = {
     ),
     "spectrum-no-decay": Definition("Spectrum", "exists q, 0 < q < 1 /\\", "exists q, 0 < q /\\"),
 }  # fmt: skip
-#: The page that pins each of the five, and the files with proofs on which it rests, with what they
+#: The page that pins each of the seven, and the files with proofs on which it rests, with what they
 #: prove: a theorem for each proposition.
 PAGES = {
     "Classification": (
         "PinnedClassification",
         {
             "ClassificationProof": (
-                "no_triangle", "least_angle", "never", "bounded_impulse", "no_spin",
+                "no_triangle", "least_angle", "least_angle_in_time", "never", "bounded_impulse",
+                "no_spin",
                 "never_with_spin", "never_outward",
             ),
             "Turning": ("never_turning",),
@@ -362,6 +454,17 @@ PAGES = {
             "ThreeBallsMap": ("stair_theorem",),
             "ThreeBallsCollapse": ("three_balls_theorem", "three_equal_balls"),
             "BallsFlowStep": ("law_theorem",),
+        },
+    ),
+    "Sandwich": (
+        "PinnedSandwich",
+        {"SandwichProof": ("sandwich_theorem", "inner_stair_theorem")},
+    ),
+    "Outside": (
+        "PinnedOutside",
+        {
+            "OutsideStep": ("next_theorem",),
+            "OutsideProof": ("outside_theorem", "floor_theorem", "no_collapse_theorem"),
         },
     ),
     "PrintedSign": ("PinnedPrintedSign", {"PrintedSignProof": ("printed_sign_theorem",)}),

@@ -148,6 +148,7 @@ def test_everything_of_the_proof_is_compiled() -> None:
     project = (SOURCES / "_CoqProject").read_text()
     compiled = re.findall(r"^(\w+)\.v$", project, re.MULTILINE)
     made = ["Step", "All", "Flow", "Sharper", "AsPrinted", "Collapsing", "Balls", "BallsFlow"]
+    made += ["Inner", "Ends"]
     assert sorted(compiled) == sorted([*made, *(path.stem for path in SOURCES.glob("*.v"))])
 
 
@@ -191,7 +192,15 @@ def test_what_coq_proves_of_the_sentences_taken_on_trust_is_pinned() -> None:
     for name in discharging():
         file, _, theorem = name.partition(".")
         text = (SOURCES / f"{file}.v").read_text()
-        defines = file in ("Theorem1", "Separatrix", "Spectrum", "Line", "ThreeBalls")
+        defines = file in (
+            "Theorem1",
+            "Separatrix",
+            "Spectrum",
+            "Line",
+            "ThreeBalls",
+            "Outside",
+            "Sandwich",
+        )
         kinds = "Definition|Record|Fixpoint" if defines else "Theorem|Lemma"
         assert len(re.findall(rf"^({kinds}) {theorem}\b", text, re.MULTILINE)) == 1, name
         assert pinned(name), name
@@ -319,6 +328,17 @@ SAID = {
         (
             "4 * sqrt r / (1 + r) <= minus_cosine_at d at_T o a c <= 1 /\\ (2 * Rpower r (1 / 3) "
             "* (1 + Rpower r (1 / 3)) / (1 + r) <= minus_cosine_at d at_T o a c \\/"
+        ),
+        (
+            "forall d m radius r places velocities time T i j, 0 < m -> (forall b, 0 < radius b) "
+            "-> 0 < r <= 1 -> collisions d (fun _ => m) radius places velocities time i j -> "
+            "(forall n, rate d (places (S n)) (velocities (S n)) (i n) (j n) = - r * rate d "
+            "(places (S n)) (velocities n) (i n) (j n)) -> Un_cv time T -> exists at_T o a c N, "
+            "settles d places at_T /\\ in_turn_from N i j o a c /\\ distance d at_T o a = radius "
+            "o + radius a /\\ distance d at_T o c = radius o + radius c /\\ 4 * sqrt r / (1 + r) "
+            "<= minus_cosine_at d at_T o a c <= 1 /\\ (2 * Rpower r (1 / 3) * (1 + Rpower r (1 / "
+            "3)) / (1 + r) <= minus_cosine_at d at_T o a c \\/ forall a b k, (k < d)%nat -> Un_cv "
+            "(fun n => from_to (velocities n) a b k) 0)."
         ),
         (
             "endless d r x v places velocities time i j -> 0 < spin2 d x v -> exists T, Un_cv "
@@ -508,6 +528,142 @@ SAID = {
         ),
         "Print Assumptions three_balls_proved.",
     ),
+    "PinnedSandwich": (
+        "Definition c_ (n : nat) : ball := if Nat.even n then B2 else B1.",
+        "Definition s_ (n : nat) : ball := if Nat.even n then B1 else B2.",
+        "Definition alpha : R := (1 + r) / 2 * (C_0 - Theta).",
+        "Definition rho (n : nat) : R := G * (w (s_ n) / w (c_ n)) ^ 2.",
+        (
+            "Fixpoint orbit (n : nat) : R * R := match n with O => (Q_0, U_0) | S n => "
+            "PinnedThreeBalls.next alpha (rho n) (r * G) (orbit n) end."
+        ),
+        (
+            "Definition endless_map : Prop := forall n, let P := PinnedThreeBalls.P alpha "
+            "(rho n) (orbit n) in 0 < P /\\ PinnedThreeBalls.L (rho n) (orbit n) <= U_b * (2"
+            " - U_b) * P ^ 2."
+        ),
+        (
+            "Definition stairs (N : nat) (Q U : nat -> R) : Prop := 0 <= Q_0 <= Q O /\\ 0 <="
+            " U_0 <= U O /\\ (forall n, (n <= S N)%nat -> let P := PinnedThreeBalls.P alpha "
+            "(rho n) (Q n, U n) in 0 <= Q n /\\ 0 <= U n <= U_b /\\ 0 <= U (S n) <= U_b /\\ 0 "
+            "< P /\\ r * G * (1 - U n) <= Q (S n) * P /\\ PinnedThreeBalls.L (rho n) (Q n, U "
+            "n) <= U (S n) * (2 - U (S n)) * P ^ 2) /\\ Q (S (S N)) <= Q N /\\ U (S (S N)) <="
+            " U N."
+        ),
+        (
+            "Definition numbers : Prop := 0 < r /\\ 1 <= G /\\ (1 + r) / 2 * G < 1 /\\ 0 < "
+            "slow /\\ slow <= w B2 /\\ slow <= w B1 /\\ U_0 <= U_b < 1 /\\ Theta < C_0 <= 1."
+        ),
+        (
+            "Definition closing d (x v : ball -> nat -> R) : R := - rate d x v B0 B2 / "
+            "distance d x B0 B2."
+        ),
+        (
+            "Definition start d (x v : ball -> nat -> R) : Prop := let y := closing d x v "
+            "in let gap := distance d x B0 B2 - 1 in let fall := (1 + r) / 2 * G in let "
+            "gain := fall / (1 - fall ^ 2) in let speed b := sqrt (dot d (from_to v B0 b) "
+            "(from_to v B0 b)) in distance d x B0 B1 = 1 /\\ 0 < gap /\\ 0 < y /\\ 0 < rate d "
+            "x v B0 B1 <= Q_0 * y /\\ gap * (2 + gap) * w B2 ^ 2 <= U_0 * (2 - U_0) * (1 + "
+            "gap) ^ 2 * y ^ 2 /\\ U_b * (2 - U_b) * y ^ 2 * G ^ 2 <= slow ^ 2 * (G ^ 2 - 1) "
+            "/\\ speed B2 <= w B2 - fall * gain * y /\\ speed B1 <= w B1 - gain * y /\\ Rabs "
+            "(minus_cosine d x - C_0) + (w B2 + w B1 + y) * (G * U_b / slow / slow) / (1 - "
+            "fall) * y <= Theta."
+        ),
+        (
+            "Definition sandwich_theorem : Prop := forall d r G slow U_b C_0 Theta Q_0 U_0 "
+            "w x v, numbers r G slow U_b C_0 Theta U_0 w -> endless_map r G U_b C_0 Theta "
+            "Q_0 U_0 w -> start r G slow U_b C_0 Theta Q_0 U_0 w d x v -> collapse d r x v "
+            "(G * U_b / slow / slow / (1 - (1 + r) / 2 * G) * closing d x v) C_0 Theta."
+        ),
+        (
+            "Definition stairs_theorem : Prop := forall r G U_b C_0 Theta Q_0 U_0 w N Q U, "
+            "0 < r -> 1 <= G -> U_b < 1 -> Theta < C_0 -> stairs r G U_b C_0 Theta Q_0 U_0 "
+            "w N Q U -> endless_map r G U_b C_0 Theta Q_0 U_0 w."
+        ),
+        "Print Assumptions sandwich_proved.",
+    ),
+    "PinnedOutside": (
+        (
+            "Definition strike d x v (i j : ball) : Prop := distance d x i j = 1 /\\ rate d "
+            "x v i j < 0."
+        ),
+        "Definition closing d x v i j : R := - rate d x v i j / distance d x i j.",
+        (
+            "Definition zeta d x v i j : R := let e := distance d x i j in (e ^ 2 - 1) / e "
+            "^ 2 * (dot d (from_to v i j) (from_to v i j) / closing d x v i j ^ 2)."
+        ),
+        (
+            "Definition next_theorem : Prop := forall d x v i j t, 1 < distance d x i j -> "
+            "0 < t -> strike d (moved t x v) v i j -> 0 < closing d x v i j /\\ zeta d x v i"
+            " j < 1 /\\ t = (distance d x i j ^ 2 - 1) / distance d x i j / closing d x v i "
+            "j / (1 + sqrt (1 - zeta d x v i j))."
+        ),
+        "Definition c_ (n : nat) : ball := if Nat.even n then B2 else B1.",
+        "Definition s_ (n : nat) : ball := if Nat.even n then B1 else B2.",
+        "Definition alpha : R := (1 + r) / 2 * G * C_most.",
+        "Definition rho (n : nat) : R := (v_ (s_ n) / w_ (c_ n)) ^ 2.",
+        (
+            "Fixpoint orbit (n : nat) : R * R := match n with O => (Q_0, U_0) | S n => "
+            "PinnedThreeBalls.next alpha (rho n) r (orbit n) end."
+        ),
+        (
+            "Definition ends (rho : R) (p : R * R) : Prop := PinnedThreeBalls.P alpha rho p"
+            " <= 0 \\/ PinnedThreeBalls.P alpha rho p ^ 2 <= PinnedThreeBalls.L rho p."
+        ),
+        "Definition map_ends (N : nat) : Prop := ends (rho N) (orbit N).",
+        (
+            "Definition floor (N : nat) (Q U : nat -> R) : Prop := Q O <= Q_0 /\\ U O <= U_0"
+            " /\\ (forall n, (n <= N)%nat -> 0 <= Q n /\\ 0 <= U n <= 1) /\\ (forall n, (n < "
+            "N)%nat -> let P := PinnedThreeBalls.P alpha (rho n) (Q n, U n) in Q (S n) * P "
+            "<= r * (1 - U n) /\\ U (S n) * (2 - U (S n)) * P ^ 2 <= PinnedThreeBalls.L (rho"
+            " n) (Q n, U n)) /\\ ends (rho N) (Q N, U N)."
+        ),
+        (
+            "Definition numbers : Prop := 0 < r /\\ 1 <= G /\\ (1 + r) / 2 * G < 1 /\\ 0 < "
+            "slow /\\ slow <= v_ B2 /\\ slow <= v_ B1 /\\ C_most <= 2 /\\ 0 <= Q_0 /\\ 0 <= U_0 "
+            "< 1."
+        ),
+        (
+            "Definition speed d (v : ball -> nat -> R) b : R := sqrt (dot d (from_to v B0 "
+            "b) (from_to v B0 b))."
+        ),
+        (
+            "Definition start d (x v : ball -> nat -> R) : Prop := distance d x B0 B1 = 1 "
+            "/\\ let y := closing d x v B0 B2 in let eta := rate d x v B0 B1 in let gap := "
+            "distance d x B0 B2 - 1 in let gain := G / (1 - (1 + r) / 2 * G) in let turning"
+            " := (w_ B2 + w_ B1 + 2 * y) * (G / slow / slow) / (1 - (1 + r) / 2 * G) in 0 <"
+            " gap /\\ 0 < y /\\ 0 < eta /\\ Q_0 * y <= eta /\\ U_0 * (2 - U_0) * (1 + gap) ^ 2 "
+            "* y ^ 2 <= gap * (2 + gap) * v_ B2 ^ 2 /\\ y ^ 2 * G ^ 2 <= slow ^ 2 * (G ^ 2 -"
+            " 1) /\\ v_ B2 + gain * y <= speed d v B2 <= w_ B2 - gain * y /\\ v_ B1 + gain * "
+            "y <= speed d v B1 <= w_ B1 - gain * y /\\ 0 <= C_most - turning * y /\\ "
+            "minus_cosine d x <= C_most - turning * y."
+        ),
+        (
+            "Definition strikes_in_turn d T (X V : R -> ball -> nat -> R) (time : nat -> R)"
+            " (M : nat) : Prop := time O = 0 /\\ forall n, (n < M)%nat -> time n < time (S "
+            "n) < T /\\ (forall t, time n <= t < time (S n) -> X t = moved (t - time n) (X "
+            "(time n)) (V (time n)) /\\ V t = V (time n)) /\\ strike d (moved (time (S n) - "
+            "time n) (X (time n)) (V (time n))) (V (time n)) B0 (c_ n)."
+        ),
+        (
+            "Definition outside_theorem : Prop := forall d r G slow C_most Q_0 U_0 v_ w_ x "
+            "v N, numbers r G slow C_most Q_0 U_0 v_ -> start r G slow C_most Q_0 U_0 v_ w_"
+            " d x v -> map_ends r G C_most Q_0 U_0 v_ w_ N -> forall T X V time, trajectory"
+            " d r x v T X V -> ~ strikes_in_turn d T X V time (N + 2)."
+        ),
+        (
+            "Definition floor_theorem : Prop := forall r G slow C_most Q_0 U_0 v_ w_ N Q U,"
+            " numbers r G slow C_most Q_0 U_0 v_ -> 0 <= C_most -> floor r G C_most Q_0 U_0"
+            " v_ w_ N Q U -> exists M, (M <= N)%nat /\\ map_ends r G C_most Q_0 U_0 v_ w_ M."
+        ),
+        (
+            "Definition no_collapse : Prop := forall d r G slow C_most Q_0 U_0 v_ w_ x v N,"
+            " numbers r G slow C_most Q_0 U_0 v_ -> start r G slow C_most Q_0 U_0 v_ w_ d x"
+            " v -> map_ends r G C_most Q_0 U_0 v_ w_ N -> forall by_time c tolerance, ~ "
+            "collapse d r x v by_time c tolerance."
+        ),
+        "Print Assumptions outside_proved.",
+    ),
     "PinnedSpectrum": (
         (
             "forall d r x v w u e f, triangle d x -> triple d r x v w -> coordinates d 1 x v u e "
@@ -554,6 +710,9 @@ WEAKER = (
     ("PinnedPrintedSign", "+ delta_theta < 4 * sqrt r / (1 + r)) /\\", "+ delta_theta < 4) /\\"),
     ("PinnedClassification", "4 * sqrt r / (1 + r) <=", "3 * sqrt r / (1 + r) <="),
     ("PinnedClassification", "(from_to at_T o c) <= 0.", "(from_to at_T o c) <= 1."),
+    ("PinnedClassification", "collisions d (fun _ => m)", "collisions 2 (fun _ => m)"),
+    ("PinnedClassification", "    - r * rate d (places", "    - rate d (places"),
+    ("PinnedClassification", "0 < m -> (forall b, 0 < rad", "0 < m -> (forall b, 1 < rad"),
     ("PinnedClassification", "7 - 4 * sqrt 3 < r \\/", "1 < r \\/"),
     ("PinnedClassification", "6 <= size d x \\/", "7 <= size d x \\/"),
     ("PinnedClassification", "0 <= rate d x w i j <=", "0 < rate d x w i j <="),
@@ -583,6 +742,28 @@ WEAKER = (
     ("PinnedThreeBalls", "u' o c i y lam'", "u' o i c y lam'"),
     ("PinnedThreeBalls", "0 < kap /\\", "kap < 0 /\\"),
     ("PinnedThreeBalls", "(1 + mass o / mass c)", "(1 + mass c / mass o)"),
+    ("PinnedSandwich", "0 < gap /\\ 0 < y", "0 < gap /\\ y < 0"),
+    ("PinnedSandwich", "(r * G) (orbit n)", "r (orbit n)"),
+    ("PinnedSandwich", "w (s_ n) / w (c_ n)", "w (c_ n) / w (s_ n)"),
+    ("PinnedSandwich", "Theta < C_0 <= 1.", "Theta < C_0 <= 0."),
+    ("PinnedSandwich", "collapse d r x v (G", "collapse d r x v (2 * G"),
+    ("PinnedSandwich", "(n <= S N)%nat", "(n <= S (S N))%nat"),
+    ("PinnedOutside", "rate d x v i j < 0.", "rate d x v i j < 1."),
+    ("PinnedOutside", "zeta d x v i j < 1 /\\", "True /\\"),
+    ("PinnedOutside", "Nat.even n then B2 else B1.", "Nat.even n then B1 else B2."),
+    ("PinnedOutside", "(1 + r) / 2 * G * C_most.", "(1 + r) / 2 * C_most."),
+    ("PinnedOutside", "(v_ (s_ n) / w_ (c_ n)) ^ 2", "(v_ (c_ n) / w_ (s_ n)) ^ 2"),
+    ("PinnedOutside", "rho p <= 0 \\/", "rho p <= - 1 \\/"),
+    ("PinnedOutside", "(n < N)%nat -> let P", "(n <= N)%nat -> let P"),
+    ("PinnedOutside", "(M <= N)%nat /\\ map_ends", "map_ends"),
+    ("PinnedOutside", "0 < gap /\\ 0 < y", "0 < gap /\\ y < 0"),
+    ("PinnedOutside", "(1 + r) / 2 * G < 1 /\\", "(1 + r) / 2 * G < 0 /\\"),
+    ("PinnedOutside", "speed d v B2 <= w_ B2 - gain * y", "speed d v B2 <= 0"),
+    ("PinnedOutside", "X V time (N + 2).", "X V time (N + 3)."),
+    ("PinnedOutside", "X V time, trajectory d r x v T X V ->", "X V time, T < 0 ->"),
+    ("PinnedOutside", "time n < time (S n) < T /\\", "time n < time (S n) < 0 /\\"),
+    ("PinnedOutside", "forall d r G slow", "let d := 2%nat in forall r G slow"),
+    ("PinnedOutside", "~ collapse d r x v by", "by_time < 0 -> ~ collapse d r x v by"),
     ("PinnedSpectrum", "0 < im /\\", "0 <= im /\\"),
     ("PinnedSpectrum", "re ^ 2 + im ^ 2 < 1 /\\", "re ^ 2 + im ^ 2 <= 1 /\\"),
     ("PinnedSpectrum", "eigenvector r mu nu u v) <->", "eigenvector r mu nu u v) ->"),

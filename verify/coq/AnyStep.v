@@ -57,10 +57,11 @@ Definition after_sharing : numbers :=
       + (1 + all * t) * (half * e) * - y m + (1 + all * t) * (half * t) * A m)
     (reach - 1).
 
+Definition in_contact : Prop := e * e + e * t * - y m + t * e * - y m + t * t * A m = 1.
 (* The outer pair is apart as long as it is told. *)
 Record certified_if (outer : R -> Prop) : Prop := {
   takes_time : 0 < t; recedes : 0 < eta_s m; far : 0 < e; far_after : 0 < reach;
-  touching : e * e + e * t * - y m + t * e * - y m + t * t * A m = 1;
+  touching : in_contact;
   approaching : impact < 0;
   colliding_apart : forall u, 0 <= u < t ->
     1 < e * e + e * u * - y m + u * e * - y m + u * u * A m;
@@ -93,12 +94,11 @@ Proof. destruct seen as [P Q PQ PS QC PC QS SS CC SC]. in_numbers. ring. Qed.
 Lemma rate_ahead : dot D (combined e q t c) c = impact.
 Proof. destruct seen as [P Q PQ PS QC PC QS SS CC SC]. in_numbers. unfold impact. ring. Qed.
 (* After the collision the two exchange their roles. *)
-Lemma products_next outer : certified_if outer -> let omega := combined e q t c in
+Lemma products_next : 0 < reach -> in_contact -> let omega := combined e q t c in
   products after_sharing D omega (combined (1 / reach) p (t / reach) s)
     (combined 1 c (- ((1 + r) * impact)) omega) (combined 1 s (- (share * impact)) omega).
 Proof.
-  intros certified. cbn zeta. pose proof (far_after _ certified) as F. pose proof (touching _ certified) as T.
-  assert (Root : reach * reach = 1 + t * eta_s m + t * eta_s m + t * t * B m).
+  intros F T. unfold in_contact in T. cbn zeta. assert (Root : reach * reach = 1 + t * eta_s m + t * eta_s m + t * t * B m).
   { unfold reach. apply sqrt_sqrt. rewrite <- square_behind. apply dot_self. }
   destruct seen as [P Q PQ PS QC PC QS SS CC SC].
   set (root := reach) in *. set (kappa := impact).
@@ -194,6 +194,36 @@ Proof.
     (rate_ahead m t D _ _ _ _ G). ring.
 Qed.
 
+(* The next scene if they are in contact then, whatever happens before. *)
+Theorem contact_after : 0 < reach m t -> in_contact m t ->
+  seen (after_sharing (share_of mass radius (fun _ => r) o j i) r m t) (bounced D mass r o j (later t x)) j i.
+Proof.
+  pose proof (round o). pose proof (round i). pose proof (round j). pose proof (heavy o). pose proof (heavy j).
+  intros F T. destruct distinct as (N1 & N2 & N3).
+  destruct impact_of_balls as (p & q & s & c & X1 & X2 & X4 & G & Omega & Rate).
+  assert (Far : distance D (later t x) o j = sj).
+  { destruct (squares_of_balls t) as (_ & Q & _). apply as_far; [lra|]. rewrite Q, T. ring. }
+  set (kappa := impact m t) in *. set (share := share_of mass radius (fun _ => r) o j i).
+  exists (combined (1 + d m) q t c), (combined (1 / reach m t) p (t / reach m t) s),
+    (combined 1 c (- ((1 + r) * kappa)) (combined (1 + d m) q t c)),
+    (combined 1 s (- (share * kappa)) (combined (1 + d m) q t c)).
+  split; [exact Omega|]. split; [|split; [|split]].
+  - apply same_vector. intros n. transitivity (relative x o j n -
+      (1 + r) * rate D (later t x) o j / distance D (later t x) o j ^ 2 * to (later t x) o j n).
+    + unfold relative, bounced. cbn [velocity]. rewrite !same_true, (same_false j o) by congruence.
+      cbn [later velocity]. rewrite Far. field. split; lra.
+    + rewrite Far, Rate, Omega, X4. unfold scaled, combined. field. lra.
+  - replace (1 + d (after_sharing share r m t)) with (reach m t) by (unfold after_sharing; cbn [d]; ring).
+    change (to (bounced D mass r o j (later t x)) o i) with (to (later t x) o i). rewrite to_later, X1, X2.
+    apply same_vector. intros n. unfold combined, scaled. field. lra.
+  - apply same_vector. intros n. transitivity (relative x o i n - mass j *
+      ((1 + r) * rate D (later t x) o j / distance D (later t x) o j ^ 2 / (mass o + mass j)) * to (later t x) o j n).
+    + unfold relative, bounced. cbn [velocity]. rewrite !same_true, (same_false i o), (same_false i j) by congruence.
+      cbn [later velocity]. ring.
+    + rewrite Far, Rate, Omega, X2. unfold scaled, combined, share, share_of, reach_of. field. repeat split; lra.
+  - exact (products_next share r m t D _ _ _ _ G F T).
+Qed.
+
 Theorem balls_meet : meets_next D radius x o j t.
 Proof.
   pose proof (round o). pose proof (round i). pose proof (round j).
@@ -223,32 +253,7 @@ Proof.
 Qed.
 Theorem balls_after :
   seen (after_sharing (share_of mass radius (fun _ => r) o j i) r m t) (bounced D mass r o j (later t x)) j i.
-Proof.
-  pose proof (round o). pose proof (round i). pose proof (round j). pose proof (heavy o). pose proof (heavy j).
-  pose proof (far_after _ _ _ certified) as F. destruct distinct as (N1 & N2 & N3).
-  destruct impact_of_balls as (p & q & s & c & X1 & X2 & X4 & G & Omega & Rate).
-  assert (Far : distance D (later t x) o j = sj).
-  { destruct (squares_of_balls t) as (_ & Q & _). apply as_far; [lra|]. rewrite Q, (touching _ _ _ certified). ring. }
-  set (kappa := impact m t) in *. set (share := share_of mass radius (fun _ => r) o j i).
-  exists (combined (1 + d m) q t c), (combined (1 / reach m t) p (t / reach m t) s),
-    (combined 1 c (- ((1 + r) * kappa)) (combined (1 + d m) q t c)),
-    (combined 1 s (- (share * kappa)) (combined (1 + d m) q t c)).
-  split; [exact Omega|]. split; [|split; [|split]].
-  - apply same_vector. intros n. transitivity (relative x o j n -
-      (1 + r) * rate D (later t x) o j / distance D (later t x) o j ^ 2 * to (later t x) o j n).
-    + unfold relative, bounced. cbn [velocity]. rewrite !same_true, (same_false j o) by congruence.
-      cbn [later velocity]. rewrite Far. field. split; lra.
-    + rewrite Far, Rate, Omega, X4. unfold scaled, combined. field. lra.
-  - replace (1 + d (after_sharing share r m t)) with (reach m t) by (unfold after_sharing; cbn [d]; ring).
-    change (to (bounced D mass r o j (later t x)) o i) with (to (later t x) o i). rewrite to_later, X1, X2.
-    apply same_vector. intros n. unfold combined, scaled. field. lra.
-  - apply same_vector. intros n. transitivity (relative x o i n - mass j *
-      ((1 + r) * rate D (later t x) o j / distance D (later t x) o j ^ 2 / (mass o + mass j)) * to (later t x) o j n).
-    + unfold relative, bounced. cbn [velocity]. rewrite !same_true, (same_false i o), (same_false i j) by congruence.
-      cbn [later velocity]. ring.
-    + rewrite Far, Rate, Omega, X2. unfold scaled, combined, share, share_of, reach_of. field. repeat split; lra.
-  - exact (products_next share r m t D _ _ _ _ G _ certified).
-Qed.
+Proof. exact (contact_after (far_after _ _ _ certified) (touching _ _ _ certified)). Qed.
 End BallsFlight.
 
 (* --- equal balls of diameter 1 ------------------------------------------------------------------ *)
@@ -277,6 +282,18 @@ Variable x : scene.
 Variable i j : ball.
 Hypothesis others : i <> B0 /\ j <> B0 /\ i <> j.
 Hypothesis shown_by : has m D x i j.
+Theorem contact_next : 0 < reach m t -> distance D (later t x) B0 j = 1 ->
+  has after_step D (collided D r B0 j (later t x)) j i.
+Proof.
+  intros F T. apply has_seen. pose proof shown_by as G. apply has_seen in G.
+  assert (K : in_contact m t).
+  { destruct (squares_of_balls D half B0 i j m x G t) as (_ & K & _). rewrite (unit_square _ _ _ _ T) in K.
+    unfold in_contact, half in *. lra. }
+  pose proof (contact_after D one half r one_positive half_positive B0 i j others m t x G F K) as L.
+  replace (share_of one half (fun _ => r) B0 j i) with ((1 + r) / 2) in L by (unfold share_of, reach_of, one, half; field).
+  now rewrite (equal_bounced _ _ _ _ _ T) in L.
+Qed.
+
 Lemma certified_of_balls : certified_if m t (outer_of_balls half B0 i j m).
 Proof.
   destruct certified as [K1 K2 K3 K4 K5 K6 K7 K8 K9]. split; trivial. intros u U. specialize (K9 u U).
@@ -288,12 +305,7 @@ Proof.
   exact (balls_meet D half half_positive B0 i j others m t certified_of_balls x shown_by).
 Qed.
 Theorem shows_next : has after_step D (collided D r B0 j (later t x)) j i.
-Proof.
-  pose proof meets as [_ _ T _ _]. apply has_seen. pose proof shown_by as G. apply has_seen in G.
-  pose proof (balls_after D one half r one_positive half_positive B0 i j others m t certified_of_balls x G) as K.
-  replace (share_of one half (fun _ => r) B0 j i) with ((1 + r) / 2) in K by (unfold share_of, reach_of, one, half; field).
-  now rewrite (equal_bounced _ _ _ _ _ T) in K.
-Qed.
+Proof. pose proof meets as [_ _ T _ _]. exact (contact_next (far_after _ _ _ certified) T). Qed.
 End EqualBalls.
 
 Lemma cosine_of m n x i j : has m n x i j -> i <> B0 /\ j <> B0 /\ i <> j -> 0 < 1 + d m ->

@@ -1,11 +1,14 @@
 (* What the other certificates take on trust, with what Coq proves instead, as in Sentences.v: which
-   collapses there are, balls on a line, three balls of any masses, the sign as printed, and the spectrum. *)
+   collapses there are, balls on a line, three balls of any masses, the sign as printed, where
+   collisions in turn end, and the spectrum. *)
 From Verify Require Import Theorem1.
 From Coq Require Import Reals List.
 Import ListNotations.
 From Verify Require Vectors Motion Runs Classification Contacts Settling Endless Turning ClassificationProof.
 From Verify Require Finite FiniteScenes Deadline ManyBalls Line LineProof PrintedSign PrintedSignProof.
 From Verify Require Meaning Balls AnyStep ThreeBalls ThreeBallsStep ThreeBallsMap ThreeBallsCollapse BallsFlowStep.
+From Verify Require Ends Outside OutsideStep OutsideProof.
+From Verify Require Inner SandwichStep Sandwich SandwichProof.
 From Verify Require Spectrum SpectrumMatrix SpectrumRoots SpectrumEigen SpectrumOrbits SpectrumSentences.
 Open Scope R_scope.
 Definition B1 : ball := Theorem1.B1.
@@ -15,6 +18,7 @@ Definition B1 : ball := Theorem1.B1.
 (* The propositions are spelled out in PinnedClassification.v and PinnedPrintedSign.v. *)
 Check (ClassificationProof.no_triangle_holds : Classification.no_triangle).
 Check (ClassificationProof.least_angle_holds : Classification.least_angle).
+Check (ClassificationProof.least_angle_in_time_holds : Classification.least_angle_in_time).
 Check (PrintedSignProof.printed_sign_theorem_holds : PrintedSign.printed_sign_theorem).
 (* cauchy-schwarz for planes, and for three balls: the inner product of two planes is a sum over pairs of
    coordinates; the moment of inertia times the energy bounds the squares of A and of L. *)
@@ -165,6 +169,56 @@ Check (ThreeBallsMap.stair_theorem_holds : ThreeBalls.stair_theorem).
 Check (ThreeBallsCollapse.three_balls_theorem_holds : ThreeBalls.three_balls_theorem).
 Check (ThreeBallsCollapse.three_equal_balls_holds : ThreeBalls.three_equal_balls).
 Check (BallsFlowStep.law_theorem_holds : ThreeBalls.law_theorem).
+
+(* The same of equal balls, in the givens of the sandwich; comparison is a definition. The propositions are
+   spelled out in PinnedSandwich.v. *)
+Check (fun r G U_most C_0 Theta Q_0 U_0 w => eq_refl :
+  Sandwich.inner_goes_on r G U_most C_0 Theta Q_0 U_0 w =
+  forall n, let alpha := (1 + r) / 2 * (C_0 - Theta) in
+    let rho := G * (w (if Nat.even n then B1 else B2) / w (if Nat.even n then B2 else B1)) ^ 2 in
+    let p := Sandwich.inner r G C_0 Theta Q_0 U_0 w n in let P := alpha * (1 - snd p) - fst p - rho * snd p in
+    0 < P /\ rho * snd p * (2 * fst p + rho * snd p) <= U_most * (2 - U_most) * P ^ 2).
+Check (SandwichStep.sandwich_step : forall v,
+  Meaning.scope Inner.the_statement SandwichStep.state_context v ->
+  AnyStep.step_certified (SandwichStep.numbers_of v) (SandwichStep.flight v)).
+Check (SandwichStep.new_numbers : forall v, SandwichStep.numbers_of (SandwichStep.new v) =
+  AnyStep.after_step (v Inner.number_of_r) (SandwichStep.numbers_of v) (SandwichStep.flight v)).
+Check (SandwichProof.inner_stair_theorem_holds : Sandwich.inner_stair_theorem).
+Check (SandwichProof.sandwich_theorem_holds : Sandwich.sandwich_theorem).
+
+(* --- where collisions in turn end ------------------------------------------------------------------- *)
+
+(* The propositions are spelled out in PinnedOutside.v. goes-on: a definition. *)
+Check (fun d T Z time M => eq_refl : Outside.strikes_in_turn d T Z time M =
+  (time O = 0 /\ forall n, (n < M)%nat -> time n < time (S n) < T /\
+    (forall t, time n <= t < time (S n) -> Z t = Theorem1.later (t - time n) (Z (time n))) /\
+    let arriving := Theorem1.later (time (S n) - time n) (Z (time n)) in
+    distance d arriving B0 (collides_with n) = 1 /\ rate d arriving B0 (collides_with n) < 0)).
+Definition distinct_others (i j : ball) : Prop := i <> B0 /\ j <> B0 /\ i <> j.
+(* glue-next: the first of two strikes, and what follows from the second one. *)
+Check (OutsideStep.next_theorem_holds : Outside.next_theorem).
+Check (AnyStep.contact_next : forall r m t d x i j, distinct_others i j -> AnyStep.has m d x i j ->
+  0 < AnyStep.reach m t -> distance d (Theorem1.later t x) B0 j = 1 ->
+  AnyStep.has (AnyStep.after_step r m t) d (collided d r B0 j (Theorem1.later t x)) j i).
+Check (OutsideProof.new_numbers : forall v, OutsideProof.numbers_of (OutsideProof.new v) =
+  AnyStep.after_step (v Ends.number_of_r) (OutsideProof.numbers_of v) (OutsideProof.flight v)).
+Check (OutsideStep.two_strikes : forall r, 0 < r -> forall d m t u x i j, distinct_others i j ->
+  AnyStep.has m d x i j -> 0 < AnyStep.d m -> 0 < AnyStep.eta_s m ->
+  0 < t -> Outside.strike d (Theorem1.later t x) B0 j ->
+  0 < u -> Outside.strike d (Theorem1.later u (collided d r B0 j (Theorem1.later t x))) B0 i ->
+  let e := 1 + AnyStep.d m in let y := AnyStep.y m in
+  let root := sqrt (1 - AnyStep.d m * (2 + AnyStep.d m) / e / e * (AnyStep.A m / y / y)) in
+  let T := AnyStep.d m * (2 + AnyStep.d m) / e / y / (1 + root) in let k := e * y * root in
+  let law := (1 + r) / 2 * k * (e * AnyStep.C m - T * AnyStep.a m - e * T * AnyStep.b m - T ^ 2 * AnyStep.w m) -
+    (AnyStep.eta_s m + T * AnyStep.B m) in
+  (AnyStep.has (AnyStep.after_step r m t) d (collided d r B0 j (Theorem1.later t x)) j i /\
+   0 < AnyStep.d (AnyStep.after_step r m t) /\ 0 < AnyStep.eta_s (AnyStep.after_step r m t)) /\ 0 < law /\
+  (2 * AnyStep.eta_s m * T + AnyStep.B m * T ^ 2) *
+    (AnyStep.B m + 2 * ((1 + r) / 2) * k * (e * AnyStep.b m + T * AnyStep.w m) + ((1 + r) / 2) ^ 2 * k ^ 2) <
+    law ^ 2).
+Check (OutsideProof.outside_theorem_holds : Outside.outside_theorem).
+Check (OutsideProof.no_collapse_theorem_holds : Outside.no_collapse_theorem).
+Check (OutsideProof.floor_theorem_holds : Outside.floor_theorem).
 
 (* --- the spectrum ----------------------------------------------------------------------------------- *)
 

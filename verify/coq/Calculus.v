@@ -1,5 +1,5 @@
-(* General mathematics that statements take on trust: series, and functions with a positive second
-   derivative. *)
+(* General mathematics that statements take on trust: series, a recursion that ends, and functions with a
+   positive second derivative. *)
 From Coq Require Import Reals Ranalysis5 Lra Lia List FinFun.
 From Verify Require Import Theorem1 Vectors Sequences.
 Import ListNotations.
@@ -129,4 +129,43 @@ Proof.
   - destruct (MVT_cor2 f f' x y ltac:(lra)) as (z & E & Z); [intros z Z; apply D; lra|].
     assert (0 < f' z) by (rewrite <- F; apply G; lra).
     assert (0 < f' z * (y - x)) by (apply Rmult_lt_0_compat; lra). lra.
+Qed.
+
+(* A recursion that ends. *)
+Lemma no_endless a r (u : nat -> R) : 0 < a -> 0 < r -> a * a < 4 * r -> (forall n, 0 < u n) ->
+  (forall n, u (S (S n)) <= a * u (S n) - r * u n) -> False.
+Proof.
+  intros A0 R0 A U L.
+  set (q := fun n => u (S n) / u n).
+  assert (Q : forall n, 0 < q n) by (intros n; unfold q; apply Rdiv_lt_0_compat; apply U).
+  set (e := r - a * a / 4). assert (E : 0 < e) by (unfold e; lra).
+  assert (F : forall n, q (S n) * q n <= q n * q n - e).
+  { intros n. assert (G : q (S n) * q n <= a * q n - r).
+    { unfold q. specialize (L n). pose proof (U n) as U0. pose proof (U (S n)) as U1.
+      apply Rmult_le_reg_r with (u n); [exact U0|].
+      replace (u (S (S n)) / u (S n) * (u (S n) / u n) * u n) with (u (S (S n))) by (field; lra).
+      replace ((a * (u (S n) / u n) - r) * u n) with (a * u (S n) - r * u n) by (field; lra). exact L. }
+    pose proof (Rle_0_sqr (q n - a / 2)) as H. unfold Rsqr in H. unfold e. lra. }
+  assert (D : forall n, q n <= q O - INR n * (e / q O) /\ q n <= q O).
+  { induction n as [|n [IH IH']]; [simpl; pose proof (Q O); split; lra|].
+    specialize (F n). pose proof (Q n) as Qn. pose proof (Q O) as Q0.
+    assert (H : q (S n) <= q n - e / q O).
+    { apply Rmult_le_reg_r with (q n); [exact Qn|].
+      apply Rle_trans with (1 := F).
+      replace ((q n - e / q O) * q n) with (q n * q n - e * (q n / q O)) by (field; lra).
+      assert (q n / q O <= 1).
+      { apply Rmult_le_reg_r with (q O); [exact Q0|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l; lra. }
+      assert (e * (q n / q O) <= e * 1) by (apply Rmult_le_compat_l; lra). lra. }
+    assert (0 < e / q O) by (apply Rdiv_lt_0_compat; assumption).
+    rewrite S_INR. split; lra. }
+  pose proof (Q O) as Q0.
+  destruct (archimed_cor1 ((e / q O) / q O)) as (N & N1 & N2).
+  { apply Rdiv_lt_0_compat; [apply Rdiv_lt_0_compat|]; assumption. }
+  destruct (D N) as [D1 _]. pose proof (Q N) as QN.
+  assert (NR : 0 < INR N) by (apply lt_0_INR; exact N2).
+  assert (q O < INR N * (e / q O)); [|lra].
+  apply Rmult_lt_reg_r with (/ INR N / q O).
+  { apply Rdiv_lt_0_compat; [apply Rinv_0_lt_compat|]; assumption. }
+  replace (q O * (/ INR N / q O)) with (/ INR N) by (field; lra).
+  replace (INR N * (e / q O) * (/ INR N / q O)) with (e / q O / q O) by (field; lra). exact N1.
 Qed.

@@ -88,6 +88,18 @@ Definition least_angle : Prop :=
     4 * sqrt r / (1 + r) <= minus_cosine_at d at_T o a c <= 1 /\
     (2 * cube_root r * (1 + cube_root r) / (1 + r) <= minus_cosine_at d at_T o a c \/
       stops d scenes).
+(* The same of three balls of equal masses and any radii that collapse, each time with one r. *)
+Definition restituted (d : nat) (r : R) (scenes : nat -> scene) (time : nat -> R) (i j : nat -> ball) : Prop :=
+  forall n, rate d (scenes (S n)) (i n) (j n) =
+    - r * rate d (later (time (S n) - time n) (scenes n)) (i n) (j n).
+Definition least_angle_in_time : Prop :=
+  forall d m radius r scenes time T i j, 0 < m -> (forall b, 0 < radius b) -> 0 < r <= 1 ->
+  strikes d (fun _ => m) radius scenes time i j -> restituted d r scenes time i j -> Un_cv time T ->
+  exists at_T o a c N, settles d scenes at_T /\ distinct_balls o a c /\ in_turn_from N i j o a c /\
+    distance d at_T o a = radius o + radius a /\ distance d at_T o c = radius o + radius c /\
+    4 * sqrt r / (1 + r) <= minus_cosine_at d at_T o a c <= 1 /\
+    (2 * cube_root r * (1 + cube_root r) / (1 + r) <= minus_cosine_at d at_T o a c \/
+      stops d scenes).
 Definition never : Prop :=
   forall d r s scenes time i j, 7 - 4 * sqrt 3 < r <= 1 -> ~ endless d r s scenes time i j.
 (* III. The speed at which a pair meets is the momentum exchanged, divided by (1+r)/2. *)

@@ -35,25 +35,29 @@ Qed.
 Lemma limit_unique_constant (u : nat -> R) l c : Un_cv u l -> (forall n, u n = c) -> l = c.
 Proof. intros L E. apply (often_equal u l c L). intros m. exists m. now split. Qed.
 
-Section FromEndless.
+(* Collisions without end of balls of equal masses whose places converge. *)
+Section Settled.
 Variable d : nat.
 Variable r : R.
-Variable first : scene.
+Variable radius : ball -> R.
 Variable scenes : nat -> scene.
 Variable time : nat -> R.
 Variables i j : nat -> ball.
+Hypothesis round : forall b, 0 < radius b.
 Hypothesis restitutes : 0 < r <= 1.
-Hypothesis run : endless d r first scenes time i j.
-
-Section Settled.
+Hypothesis run : strikes d (fun _ => 1) radius scenes time i j.
+Hypothesis slowed : restituted d r scenes time i j.
 Variable z : scene.
 Hypothesis converge : settles d scenes z.
 Variables o a c : ball.
 Variable N : nat.
 Hypothesis distinct : distinct_balls o a c.
 Hypothesis in_turn : in_turn_from N i j o a c.
-Hypothesis touch_a : distance d z o a = 1.
-Hypothesis touch_c : distance d z o c = 1.
+Notation reach := (fun b => radius o + radius b).
+Hypothesis touch_a : distance d z o a = reach a.
+Hypothesis touch_c : distance d z o c = reach c.
+Lemma reach_positive b : 0 < reach b.
+Proof. pose proof (round o). pose proof (round b). lra. Qed.
 
 Lemma products x y w : Un_cv (fun n => dot d (to (scenes n) x y) (to (scenes n) x w)) (dot d (to z x y) (to z x w)).
 Proof. apply dot_converges; intros k K; now apply converge. Qed.
@@ -70,7 +74,8 @@ Proof.
     (fun n => / (distance d (scenes n) o a * distance d (scenes n) o c))).
   - apply products.
   - apply (continuity_seq Rinv (fun n => distance d (scenes n) o a * distance d (scenes n) o c)).
-    + apply continuity_pt_inv; [apply derivable_continuous_pt, derivable_pt_id | rewrite touch_a, touch_c; lra].
+    + apply continuity_pt_inv; [apply derivable_continuous_pt, derivable_pt_id|]. rewrite touch_a, touch_c.
+      pose proof (Rmult_lt_0_compat _ _ (reach_positive a) (reach_positive c)). lra.
     + apply (CV_mult (fun n => distance d (scenes n) o a) (fun n => distance d (scenes n) o c)); apply distances.
 Qed.
 Let late n := scenes (N + n)%nat.
@@ -78,62 +83,70 @@ Let tau n := time (S (N + n)) - time (N + n)%nat.
 Let arriving n := later (tau n) (late n).
 Let next := partner a c.
 Let other := spectator a c.
-Lemma runs_in_turn n : 0 < tau n /\ distance d (arriving n) o (next n) = 1 /\
-  rate d (arriving n) o (next n) < 0 /\ 1 <= distance d (arriving n) o (other n) /\
-  late (S n) = collided d r o (next n) (arriving n).
+Lemma runs_in_turn n : 0 < tau n /\ distance d (arriving n) o (next n) = reach (next n) /\
+  rate d (arriving n) o (next n) < 0 /\ reach (other n) <= distance d (arriving n) o (other n) /\
+  even_hit d r o (next n) (arriving n) (late (S n)).
 Proof.
   destruct (others o a c distinct n) as (N1 & N2 & N3). fold next other in N1, N2, N3.
-  destruct run as (_ & _ & A). destruct (A (N + n)%nat) as (M & T & C & P & O & E).
+  destruct (run (N + n)%nat) as (M & T & C & P & O & E). pose proof (slowed (N + n)%nat) as V.
   fold (tau n) (late n) in *. fold (arriving n) in *.
-  replace (S (N + n)) with (N + S n)%nat in * by lia. fold (late (S n)) in E.
-  split; [unfold tau; replace (S (N + n)) with (N + S n)%nat by lia; lra|].
+  replace (scenes (S (N + n))) with (late (S n)) in * by (unfold late; f_equal; lia).
+  split; [exact T|].
   pose proof (in_turn n) as W. change (if Nat.even n then c else a) with (next n) in W.
   destruct W as [[I J]|[I J]]; rewrite I, J in *.
-  - repeat (split; [assumption|]). split; [apply O; congruence | exact E].
-  - rewrite distance_symmetric in C. rewrite rate_symmetric in P. split; [exact C|]. split; [exact P|].
-    split; [apply O; congruence|]. rewrite E. apply collided_symmetric. congruence.
+  - repeat (split; [assumption|]). split; [apply O; congruence | now split].
+  - rewrite distance_symmetric, Rplus_comm in C. rewrite rate_symmetric in P. split; [exact C|]. split; [exact P|].
+    split; [apply O; congruence|]. apply even_hit_symmetric; [congruence | now split].
 Qed.
-Lemma touches x : distance d z o x = 1 -> Un_cv (fun n => distance d (late n) o x) 1.
-Proof. intros E. rewrite <- E. exact (limit_later _ _ N (distances o x)). Qed.
+Lemma next_square n : 0 < square d (arriving n) o (next n).
+Proof.
+  destruct (runs_in_turn n) as (_ & C & _). rewrite square_of_distance, C. pose proof (reach_positive (next n)).
+  now apply Rmult_lt_0_compat.
+Qed.
+Lemma touches x : distance d z o x = reach x -> Un_cv (fun n => distance d (late n) o x) (reach x).
+Proof. intros E. pose proof (limit_later _ _ N (distances o x)) as L. rewrite E in L. exact L. Qed.
 Lemma least : 4 * sqrt r / (1 + r) <= minus_cosine_at d z o a c.
 Proof.
-  apply (angle_at_least d r _ late tau o a c); trivial; try now apply touches.
+  apply (angle_at_least d r _ late tau o a c reach reach_positive); trivial; try now apply touches.
   - exact runs_in_turn.
   - exact (limit_later _ _ N angles).
 Qed.
 Lemma most : minus_cosine_at d z o a c <= 1.
 Proof.
   unfold minus_cosine_at. rewrite touch_a, touch_c. pose proof (cauchy_schwarz d (to z o a) (to z o c)) as C.
-  pose proof (unit_square _ _ _ _ touch_a) as A. pose proof (unit_square _ _ _ _ touch_c) as B.
-  unfold square in A, B. rewrite A, B in C. set (x := dot d (to z o a) (to z o c)) in *.
-  replace (- (x / (1 * 1))) with (- x) by field. apply Rnot_lt_le. intros L.
-  assert (1 * 1 < - x * - x) by (apply Rmult_le_0_lt_compat; lra). lra.
+  change (dot d (to z o a) (to z o a)) with (square d z o a) in C.
+  change (dot d (to z o c) (to z o c)) with (square d z o c) in C. rewrite !square_of_distance, touch_a, touch_c in C.
+  set (x := dot d (to z o a) (to z o c)) in *. pose proof (Rmult_lt_0_compat _ _ (reach_positive a) (reach_positive c)) as P.
+  set (p := (radius o + radius a) * (radius o + radius c)) in *. apply Rnot_lt_le. intros L.
+  assert (Q : p < - x).
+  { apply Rmult_lt_reg_r with (/ p); [now apply Rinv_0_lt_compat|]. rewrite Rinv_r by lra. unfold Rdiv in L. lra. }
+  assert (p * p < - x * - x) by (apply Rmult_le_0_lt_compat; lra).
+  replace (x ^ 2) with (- x * - x) in C by ring. unfold p in *. lra.
 Qed.
 Lemma all_stop : Un_cv (next_speed d late o a c) 0 -> stops d scenes.
 Proof.
   intros V.
   assert (P : forall k, (k < d)%nat -> Un_cv (fun n => relative (late n) o (next n) k) 0).
   { intros k K. apply (small_square _ _ V). intros n. now apply coordinate_at_most. }
-  assert (G : Un_cv (fun n => rate d (arriving n) o (next n)) 0).
-  { apply (small_square _ _ V). intros n. destruct (runs_in_turn n) as (_ & C & _).
-    pose proof (cauchy_schwarz d (to (arriving n) o (next n)) (relative (arriving n) o (next n))) as Q.
-    pose proof (unit_square _ _ _ _ C) as U. unfold square in U. rewrite U in Q.
-    fold (rate d (arriving n) o (next n)) in Q. unfold next_speed. fold next.
-    change (relative (arriving n)) with (relative (late n)) in Q. lra. }
   assert (Q : forall k, (k < d)%nat -> Un_cv (fun n => relative (late n) o (other n) k) 0).
   { intros k K.
-    assert (F : Un_cv (fun n => rate d (arriving n) o (next n) * to (arriving n) o (next n) k) 0).
-    { apply (small_square _ (fun n => rate d (arriving n) o (next n) * rate d (arriving n) o (next n))).
-      - replace 0 with (0 * 0) by ring. exact (CV_mult _ _ _ _ G G).
-      - intros n. destruct (runs_in_turn n) as (_ & C & _).
-        pose proof (coordinate_at_most d (to (arriving n) o (next n)) k K) as X.
-        pose proof (unit_square _ _ _ _ C) as U. unfold square in U. rewrite U in X.
-        set (x := to (arriving n) o (next n) k) in *. set (g := rate d (arriving n) o (next n)) in *.
-        replace (g * x * (g * x)) with (g * g * (x * x)) by ring.
-        pose proof (Rle_0_sqr g) as P2. unfold Rsqr in P2.
-        apply Rle_trans with (g * g * 1); [apply Rmult_le_compat_l; assumption | lra]. }
-    assert (W : Un_cv (fun n => relative (late (S n)) o (next (S n)) k +
-      (1 + r) / 2 * (rate d (arriving n) o (next n) * to (arriving n) o (next n) k)) 0).
+    (* The change of velocity is along the line of the centres: no larger than the velocity. *)
+    set (share n := rate d (arriving n) o (next n) / square d (arriving n) o (next n) * to (arriving n) o (next n) k).
+    assert (F : Un_cv share 0).
+    { apply (small_square _ _ V). intros n. pose proof (next_square n) as S. unfold share.
+      pose proof (coordinate_at_most d (to (arriving n) o (next n)) k K) as X.
+      fold (square d (arriving n) o (next n)) in X.
+      pose proof (cauchy_schwarz d (to (arriving n) o (next n)) (relative (arriving n) o (next n))) as Q.
+      fold (rate d (arriving n) o (next n)) (square d (arriving n) o (next n)) in Q.
+      change (dot d (relative (arriving n) o (next n)) (relative (arriving n) o (next n))) with
+        (next_speed d late o a c n) in Q.
+      set (g := rate d (arriving n) o (next n)) in *. set (q := square d (arriving n) o (next n)) in *.
+      set (x := to (arriving n) o (next n) k) in *. set (w := next_speed d late o a c n) in *.
+      replace (g / q * x * (g / q * x)) with (g / q * (g / q) * (x * x)) by ring.
+      apply Rle_trans with (g / q * (g / q) * q).
+      - apply Rmult_le_compat_l; [apply Rle_0_sqr | exact X].
+      - apply Rmult_le_reg_r with q; [exact S|]. replace (g / q * (g / q) * q * q) with (g ^ 2) by (field; lra). lra. }
+    assert (W : Un_cv (fun n => relative (late (S n)) o (next (S n)) k + (1 + r) / 2 * share n) 0).
     { replace 0 with (0 + (1 + r) / 2 * 0) by ring. apply CV_plus.
       - exact (limit_later _ _ 1 (P k K)).
       - apply (CV_mult (fun _ => (1 + r) / 2)); [|exact F].
@@ -142,11 +155,9 @@ Proof.
     destruct (runs_in_turn n) as (_ & _ & _ & _ & R1).
     destruct (others o a c distinct n) as (N1 & N2 & N3). fold next other in N1, N2, N3.
     unfold next at 1 in M. rewrite next_partner in M. fold other in M.
-    rewrite R1, velocity_collided in M by assumption. unfold combined in M.
+    rewrite (even_velocity d r o (next n) (other n) _ _ N1 N2 N3 (next_square n) R1) in M. unfold combined, share in M.
     change (relative (arriving n)) with (relative (late n)) in M.
-    replace (relative (late n) o (other n) k) with (1 * relative (late n) o (other n) k +
-      - ((1 + r) / 2 * rate d (arriving n) o (next n)) * to (arriving n) o (next n) k +
-      (1 + r) / 2 * (rate d (arriving n) o (next n) * to (arriving n) o (next n) k)) by ring. exact M. }
+    match type of M with R_dist ?x _ < _ => replace (relative (late n) o (other n) k) with x by ring end. exact M. }
   assert (ALL : forall x k, (k < d)%nat -> Un_cv (fun n => relative (scenes n) o x k) 0).
   { intros x k K. apply (limit_before _ _ N). destruct distinct as (D1 & D2 & D3).
     assert (T : x = o \/ x = a \/ x = c) by (destruct o, a, c, x; try easy; auto).
@@ -163,7 +174,7 @@ Qed.
 Lemma second : 2 * cube_root r * (1 + cube_root r) / (1 + r) <= minus_cosine_at d z o a c \/ stops d scenes.
 Proof.
   pose proof (cube_root_positive r) as S. pose proof (cube_of_root r (proj1 restitutes)) as C.
-  destruct (second_condition d r _ late tau o a c restitutes distinct runs_in_turn
+  destruct (second_condition d r _ late tau o a c reach reach_positive restitutes distinct runs_in_turn
     (touches a touch_a) (touches c touch_c) (limit_later _ _ N angles) (cube_root r) S) as [P|P].
   - rewrite <- C at 4. ring.
   - left. replace (2 * cube_root r * (1 + cube_root r)) with (2 * (cube_root r + cube_root r * cube_root r)) by ring.
@@ -171,12 +182,48 @@ Proof.
   - right. now apply all_stop.
 Qed.
 End Settled.
-
-Lemma ends_touching z o a c N : settles d scenes z -> in_turn_from N i j o a c ->
-  distance d z o a = 1 /\ distance d z o c = 1.
+Lemma angle_there d r radius scenes time i j z o a c N : (forall b, 0 < radius b) -> 0 < r <= 1 ->
+  strikes d (fun _ => 1) radius scenes time i j -> restituted d r scenes time i j -> settles d scenes z ->
+  distinct_balls o a c -> in_turn_from N i j o a c ->
+  distance d z o a = radius o + radius a /\ distance d z o c = radius o + radius c /\
+  4 * sqrt r / (1 + r) <= minus_cosine_at d z o a c <= 1 /\
+  (2 * cube_root r * (1 + cube_root r) / (1 + r) <= minus_cosine_at d z o a c \/ stops d scenes).
 Proof.
-  intros Z T. destruct (touching_in_turn d (fun _ => 1) (fun _ => 1 / 2) scenes time i j z
-    ltac:(intros; lra) (endless_strikes d r first scenes time i j restitutes run) Z o a c N T). lra.
+  intros P R S V Z D T.
+  destruct (touching_in_turn d (fun _ => 1) radius scenes time i j z P S Z o a c N T) as [A C].
+  split; [exact A|]. split; [exact C|]. split; [split|].
+  - exact (least d r radius scenes time i j P R S V z Z o a c N D T A C).
+  - exact (most d radius P z o a c A C).
+  - exact (second d r radius scenes time i j P R S V z Z o a c N D T A C).
+Qed.
+Theorem least_angle_in_time_holds : least_angle_in_time.
+Proof.
+  intros d m radius r scenes time T i j M P R S V L. assert (M' : forall _ : ball, 0 < m) by (intros; exact M).
+  destruct (settles_in_time d (fun _ => m) radius scenes time i j T M' S L) as (z & Z).
+  destruct (settled_in_turn d (fun _ => m) radius scenes time i j z M' P S Z) as (o & a & c & N & D & W & _).
+  exists z, o, a, c, N. repeat (split; [assumption|]).
+  apply (angle_there d r radius scenes time i j z o a c N P R); trivial.
+  intros n. destruct (S n) as (S1 & S2 & S3 & S4 & S5 & S6). repeat (split; [assumption|]).
+  exact (proj1 (even_hit_of d m r _ _ _ _ M S6 (V n))).
+Qed.
+
+Section FromEndless.
+Variable d : nat.
+Variable r : R.
+Variable first : scene.
+Variable scenes : nat -> scene.
+Variable time : nat -> R.
+Variables i j : nat -> ball.
+Hypothesis restitutes : 0 < r <= 1.
+Hypothesis run : endless d r first scenes time i j.
+Lemma ends_there z o a c N : settles d scenes z -> distinct_balls o a c -> in_turn_from N i j o a c ->
+  distance d z o a = 1 /\ distance d z o c = 1 /\ 4 * sqrt r / (1 + r) <= minus_cosine_at d z o a c <= 1 /\
+  (2 * cube_root r * (1 + cube_root r) / (1 + r) <= minus_cosine_at d z o a c \/ stops d scenes).
+Proof.
+  intros Z D T. destruct (angle_there d r (fun _ => 1 / 2) scenes time i j z o a c N ltac:(intros; lra) restitutes
+    (endless_strikes d r first scenes time i j restitutes run)) as (A & C & H); trivial.
+  - intros n. destruct run as (_ & _ & G). destruct (G n) as (M & _ & E & _ & _ & ->). now apply rate_collided.
+  - split; [lra|]. split; [lra | exact H].
 Qed.
 Theorem angle_in_the_end : exists z o a c N, settles d scenes z /\ distinct_balls o a c /\
   in_turn_from N i j o a c /\ distance d z o a = 1 /\ distance d z o c = 1 /\
@@ -186,12 +233,8 @@ Proof.
   destruct (settles_always d r first scenes time i j restitutes run) as (z & Z).
   destruct (settled_in_turn d (fun _ => 1) (fun _ => 1 / 2) scenes time i j z ltac:(intros; lra)
     ltac:(intros; lra) (endless_strikes d r first scenes time i j restitutes run) Z)
-    as (o & a & c & N & D & T & A & C & _).
-  exists z, o, a, c, N. assert (A1 : distance d z o a = 1) by lra. assert (C1 : distance d z o c = 1) by lra.
-  repeat (split; [assumption|]). split; [split|].
-  - now apply (least z Z o a c N).
-  - now apply most.
-  - now apply (second z Z o a c N).
+    as (o & a & c & N & D & T & _).
+  exists z, o, a, c, N. repeat (split; [assumption|]). now apply (ends_there z o a c N).
 Qed.
 (* If all relative velocities vanish, then so does the angular momentum. *)
 Lemma spin_at_rest k l : stops d scenes -> (k < d)%nat -> (l < d)%nat -> spin first k l = 0.

@@ -137,6 +137,31 @@ Proof.
 Qed.
 End Hit.
 
+(* Balls of equal masses that part at r times the speed: what the others see of it. *)
+Definition even_hit d (r : R) (i j : ball) (s s' : scene) : Prop :=
+  hits d (fun _ => 1) i j s s' /\ rate d s' i j = - r * rate d s i j.
+Lemma even_hit_symmetric d r i j s s' : i <> j -> even_hit d r i j s s' -> even_hit d r j i s s'.
+Proof.
+  intros N [H E]. split; [now apply hit_symmetric|]. now rewrite !(rate_symmetric d _ j i).
+Qed.
+Lemma even_hit_of d m r i j s s' : 0 < m -> hits d (fun _ => m) i j s s' ->
+  rate d s' i j = - r * rate d s i j -> even_hit d r i j s s'.
+Proof.
+  intros M (J & P & X & V & K) E. split; [|exact E]. exists (J / m).
+  split; [apply Rmult_le_pos; [exact P | now apply Rlt_le, Rinv_0_lt_compat]|].
+  split; [exact X|]. split; [|exact K]. intros b k. rewrite V. unfold Rdiv at 3 5. now rewrite Rinv_1, !Rmult_1_r.
+Qed.
+Lemma even_velocity d r i j k s s' : i <> j -> k <> i -> k <> j -> 0 < square d s i j -> even_hit d r i j s s' ->
+  relative s' i k = combined 1 (relative s i k) (- ((1 + r) / 2 * (rate d s i j / square d s i j))) (to s i j).
+Proof.
+  intros O N M Q [(J & _ & W) E]. assert (H : hit_with (fun _ => 1) J i j s s') by (split; apply W).
+  rewrite (velocity_from_i _ J i j k s s' N M H). f_equal. unfold rate at 1 in E.
+  rewrite (same_places s s'), (own_velocity _ J i j s s' O H), dot_linear_right in E by apply W.
+  fold (rate d s i j) (square d s i j) in E. apply Rmult_eq_reg_r with (square d s i j); [|lra].
+  replace (- ((1 + r) / 2 * (rate d s i j / square d s i j)) * square d s i j) with
+    (- ((1 + r) / 2 * rate d s i j)) by (field; lra). lra.
+Qed.
+
 (* Equal balls with one coefficient of restitution. *)
 Lemma collided_hits d r i j s : 0 < r <= 1 -> i <> j -> distance d s i j = 1 -> rate d s i j < 0 ->
   hits d (fun _ => 1) i j s (collided d r i j s).
@@ -179,3 +204,6 @@ Proof.
   intros O N M. unfold rate at 1. rewrite to_collided, velocity_collided, dot_linear_right by assumption.
   fold (rate d s i k). rewrite (dot_symmetric d (to s i k)). ring.
 Qed.
+Lemma collided_evenly d r i j s : 0 < r <= 1 -> i <> j -> distance d s i j = 1 -> rate d s i j < 0 ->
+  even_hit d r i j s (collided d r i j s).
+Proof. intros R N C P. split; [now apply collided_hits | now apply rate_collided]. Qed.

@@ -1,47 +1,8 @@
 (* Ball o collides with c and a in turn without end, and in the limit both touch it: how small the
-   angle at it may be. *)
+   angle at it may be. The balls have equal masses, and any radii. *)
 From Coq Require Import Reals Arith Lra Lia.
-From Verify Require Import Theorem1 Vectors Motion Classification Contacts.
+From Verify Require Import Theorem1 Vectors Motion Classification Contacts Calculus.
 Open Scope R_scope.
-
-(* A recursion that ends. *)
-Lemma no_endless a r (u : nat -> R) : 0 < a -> 0 < r -> a * a < 4 * r -> (forall n, 0 < u n) ->
-  (forall n, u (S (S n)) <= a * u (S n) - r * u n) -> False.
-Proof.
-  intros A0 R0 A U L.
-  set (q := fun n => u (S n) / u n).
-  assert (Q : forall n, 0 < q n) by (intros n; unfold q; apply Rdiv_lt_0_compat; apply U).
-  set (e := r - a * a / 4). assert (E : 0 < e) by (unfold e; lra).
-  assert (F : forall n, q (S n) * q n <= q n * q n - e).
-  { intros n. assert (G : q (S n) * q n <= a * q n - r).
-    { unfold q. specialize (L n). pose proof (U n) as U0. pose proof (U (S n)) as U1.
-      apply Rmult_le_reg_r with (u n); [exact U0|].
-      replace (u (S (S n)) / u (S n) * (u (S n) / u n) * u n) with (u (S (S n))) by (field; lra).
-      replace ((a * (u (S n) / u n) - r) * u n) with (a * u (S n) - r * u n) by (field; lra). exact L. }
-    pose proof (Rle_0_sqr (q n - a / 2)) as H. unfold Rsqr in H. unfold e. lra. }
-  assert (D : forall n, q n <= q O - INR n * (e / q O) /\ q n <= q O).
-  { induction n as [|n [IH IH']]; [simpl; pose proof (Q O); split; lra|].
-    specialize (F n). pose proof (Q n) as Qn. pose proof (Q O) as Q0.
-    assert (H : q (S n) <= q n - e / q O).
-    { apply Rmult_le_reg_r with (q n); [exact Qn|].
-      apply Rle_trans with (1 := F).
-      replace ((q n - e / q O) * q n) with (q n * q n - e * (q n / q O)) by (field; lra).
-      assert (q n / q O <= 1).
-      { apply Rmult_le_reg_r with (q O); [exact Q0|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l; lra. }
-      assert (e * (q n / q O) <= e * 1) by (apply Rmult_le_compat_l; lra). lra. }
-    assert (0 < e / q O) by (apply Rdiv_lt_0_compat; assumption).
-    rewrite S_INR. split; lra. }
-  pose proof (Q O) as Q0.
-  destruct (archimed_cor1 ((e / q O) / q O)) as (N & N1 & N2).
-  { apply Rdiv_lt_0_compat; [apply Rdiv_lt_0_compat|]; assumption. }
-  destruct (D N) as [D1 _]. pose proof (Q N) as QN.
-  assert (NR : 0 < INR N) by (apply lt_0_INR; exact N2).
-  assert (q O < INR N * (e / q O)); [|lra].
-  apply Rmult_lt_reg_r with (/ INR N / q O).
-  { apply Rdiv_lt_0_compat; [apply Rinv_0_lt_compat|]; assumption. }
-  replace (q O * (/ INR N / q O)) with (/ INR N) by (field; lra).
-  replace (INR N * (e / q O) * (/ INR N / q O)) with (e / q O / q O) by (field; lra). exact N1.
-Qed.
 
 Section OneByOne.
 Variable d : nat.
@@ -49,16 +10,19 @@ Variables r C0 : R.
 Variable scenes : nat -> scene.
 Variable tau : nat -> R.
 Variables o a c : ball.
+Variable reach : ball -> R.  (* the distance at which a ball touches o *)
+Hypothesis far : forall b, 0 < reach b.
 Definition partner (n : nat) : ball := if Nat.even n then c else a.
 Definition spectator (n : nat) : ball := if Nat.even n then a else c.
 Let arriving n := later (tau n) (scenes n).
 Hypothesis restitutes : 0 < r <= 1.
 Hypothesis distinct : distinct_balls o a c.
-Hypothesis run : forall n, 0 < tau n /\ distance d (arriving n) o (partner n) = 1 /\
-  rate d (arriving n) o (partner n) < 0 /\ 1 <= distance d (arriving n) o (spectator n) /\
-  scenes (S n) = collided d r o (partner n) (arriving n).
-Hypothesis touch_a : Un_cv (fun n => distance d (scenes n) o a) 1.
-Hypothesis touch_c : Un_cv (fun n => distance d (scenes n) o c) 1.
+Hypothesis run : forall n, 0 < tau n /\ distance d (arriving n) o (partner n) = reach (partner n) /\
+  rate d (arriving n) o (partner n) < 0 /\
+  reach (spectator n) <= distance d (arriving n) o (spectator n) /\
+  even_hit d r o (partner n) (arriving n) (scenes (S n)).
+Hypothesis touch_a : Un_cv (fun n => distance d (scenes n) o a) (reach a).
+Hypothesis touch_c : Un_cv (fun n => distance d (scenes n) o c) (reach c).
 Hypothesis angle : Un_cv (fun n => minus_cosine_at d (scenes n) o a c) C0.
 
 Lemma next_partner n : partner (S n) = spectator n.
@@ -70,47 +34,76 @@ Proof.
   destruct distinct as (A & C & N). unfold partner, spectator. destruct (Nat.even n); repeat split; congruence.
 Qed.
 
-Let u n := - rate d (arriving n) o (partner n).
-Let D n := distance d (scenes (S n)) o (spectator n).
+(* The speed at which a ball recedes along the line of the centres, if it touches o. *)
+Let part s b := rate d s o b / reach b.
+Let u n := - part (arriving n) (partner n).
+Let D n := distance d (scenes (S n)) o (spectator n) / reach (spectator n).
 Let C n := minus_cosine_at d (scenes (S n)) o a c.
+Lemma divided_positive x b : 0 < x -> 0 < x / reach b.
+Proof. intros P. now apply Rdiv_lt_0_compat. Qed.
 Lemma u_positive n : 0 < u n.
-Proof. destruct (run n) as (_ & _ & P & _). unfold u. lra. Qed.
-Lemma places n i j : to (scenes (S n)) i j = to (arriving n) i j.
-Proof. destruct (run n) as (_ & _ & _ & _ & ->). reflexivity. Qed.
-Lemma contact n : distance d (scenes (S n)) o (partner n) = 1.
-Proof. unfold distance. rewrite places. apply (run n). Qed.
-Lemma D_at_least n : 1 <= D n.
-Proof. unfold D, distance. rewrite places. apply (run n). Qed.
-Lemma inner n : dot d (to (arriving n) o (partner n)) (to (arriving n) o (spectator n)) = - (C n * D n).
 Proof.
-  rewrite <- !places. pose proof (contact n) as A. pose proof (D_at_least n) as B.
-  unfold C, minus_cosine_at, D, partner, spectator in *. destruct (Nat.even n); rewrite A.
+  destruct (run n) as (_ & _ & P & _). unfold u, part.
+  replace (- (rate d (arriving n) o (partner n) / reach (partner n))) with
+    (- rate d (arriving n) o (partner n) / reach (partner n)) by (unfold Rdiv; ring).
+  apply divided_positive. lra.
+Qed.
+Lemma places n i j : to (scenes (S n)) i j = to (arriving n) i j.
+Proof. destruct (run n) as (_ & _ & _ & _ & (J & _ & X & _) & _). now apply same_places. Qed.
+Lemma contact n : distance d (scenes (S n)) o (partner n) = reach (partner n).
+Proof. unfold distance. rewrite places. apply (run n). Qed.
+Lemma contact_square n : square d (scenes (S n)) o (partner n) = reach (partner n) ^ 2.
+Proof. rewrite square_of_distance, contact. ring. Qed.
+Lemma D_at_least n : 1 <= D n.
+Proof.
+  assert (A : reach (spectator n) <= distance d (scenes (S n)) o (spectator n)) by (unfold distance; rewrite places; apply (run n)).
+  pose proof (far (spectator n)). unfold D. apply Rmult_le_reg_r with (reach (spectator n)); [assumption|].
+  unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
+Qed.
+Lemma inner n : dot d (to (arriving n) o (partner n)) (to (arriving n) o (spectator n)) =
+  - (C n * D n * reach (partner n) * reach (spectator n)).
+Proof.
+  rewrite <- !places. pose proof (contact n) as A. pose proof (D_at_least n) as B. pose proof (far (partner n)).
+  pose proof (far (spectator n)) as F. set (x := distance d (scenes (S n)) o (spectator n)) in *.
+  assert (X : 0 < x).
+  { replace x with (D n * reach (spectator n)) by (unfold D; fold x; field; lra). apply Rmult_lt_0_compat; lra. }
+  unfold D. fold x. unfold C, minus_cosine_at, x, partner, spectator in *. destruct (Nat.even n); rewrite A.
   - rewrite (dot_symmetric d (to (scenes (S n)) o c)). field. lra.
   - field. lra.
 Qed.
-Lemma recedes n : rate d (scenes (S n)) o (partner n) = r * u n.
+Lemma recedes n : part (scenes (S n)) (partner n) = r * u n.
+Proof. destruct (run n) as (_ & _ & _ & _ & _ & E). unfold part, u, part. rewrite E. unfold Rdiv. ring. Qed.
+Lemma pushed_together n : part (scenes (S n)) (spectator n) =
+  part (arriving n) (spectator n) - (1 + r) / 2 * (C n * D n) * u n.
 Proof.
-  destruct (run n) as (_ & K & _ & _ & ->). destruct (others n) as (N & _).
-  rewrite rate_collided by assumption. unfold u. ring.
+  pose proof (inner n) as Q. pose proof (contact_square n) as S. pose proof (far (partner n)). pose proof (far (spectator n)).
+  destruct (run n) as (_ & _ & _ & _ & H'). destruct (others n) as (N & M & O).
+  unfold square in S. rewrite places in S. fold (square d (arriving n) o (partner n)) in S.
+  assert (S0 : 0 < square d (arriving n) o (partner n)) by (rewrite S; now apply pow_lt).
+  unfold part at 1, rate. rewrite places, (even_velocity d r o (partner n) (spectator n) _ _ N M O S0 H'), dot_linear_right.
+  rewrite (dot_symmetric d _ (to (arriving n) o (partner n))), Q, S. fold (rate d (arriving n) o (spectator n)).
+  unfold u, part. field. lra.
 Qed.
-Lemma pushed_together n : rate d (scenes (S n)) o (spectator n) =
-  rate d (arriving n) o (spectator n) - (1 + r) / 2 * (C n * D n) * u n.
+Lemma part_rises s b t : 0 <= t -> part s b <= part (later t s) b.
 Proof.
-  pose proof (inner n) as Q. destruct (run n) as (_ & _ & _ & _ & ->). destruct (others n) as (N & M & O).
-  rewrite other_rate by assumption. rewrite Q. unfold u. ring.
+  intros T. pose proof (rate_rises d s o b t T). unfold part, Rdiv. apply Rmult_le_compat_r; [|assumption].
+  now apply Rlt_le, Rinv_0_lt_compat.
 Qed.
 Lemma recursion n : u (S (S n)) <= (1 + r) / 2 * (C (S n) * D (S n)) * u (S n) - r * u n.
 Proof.
   pose proof (recedes n) as P. pose proof (pushed_together (S n)) as Q.
   rewrite next_spectator in Q. destruct (run (S n)) as (T1 & _). destruct (run (S (S n))) as (T2 & _).
-  pose proof (rate_rises d (scenes (S n)) o (partner n) _ (Rlt_le _ _ T1)) as R1.
-  pose proof (rate_rises d (scenes (S (S n))) o (partner n) _ (Rlt_le _ _ T2)) as R2.
+  pose proof (part_rises (scenes (S n)) (partner n) _ (Rlt_le _ _ T1)) as R1.
+  pose proof (part_rises (scenes (S (S n))) (partner n) _ (Rlt_le _ _ T2)) as R2.
   fold (arriving (S n)) in R1. fold (arriving (S (S n))) in R2.
   unfold u at 1. rewrite (next_partner (S n)), next_spectator. lra.
 Qed.
 Lemma D_limit : Un_cv D 1.
 Proof.
-  intros e E. destruct (touch_a e E) as (N1 & A). destruct (touch_c e E) as (N2 & B).
+  assert (G : forall b, Un_cv (fun n => distance d (scenes n) o b) (reach b) -> Un_cv (fun n => distance d (scenes n) o b / reach b) 1).
+  { intros b L. pose proof (far b). replace 1 with (reach b * / reach b) by (field; lra).
+    apply (CV_mult _ (fun _ => / reach b) _ _ L). intros e E. exists O. intros n _. now rewrite R_dist_eq. }
+  intros e E. destruct (G a touch_a e E) as (N1 & A). destruct (G c touch_c e E) as (N2 & B).
   exists (max N1 N2). intros n L. unfold D, spectator. destruct (Nat.even n); [apply A | apply B]; lia.
 Qed.
 Lemma C_limit : Un_cv C C0.
@@ -163,46 +156,50 @@ Qed.
 
 (* --- the second condition ------------------------------------------------------------------------ *)
 
-Let y n := - rate d (scenes n) o (partner n).
-Let eta n := rate d (scenes n) o (spectator n).
+Let y n := - part (scenes n) (partner n).
+Let eta n := part (scenes n) (spectator n).
 Definition next_speed n := dot d (relative (scenes n) o (partner n)) (relative (scenes n) o (partner n)).
-Let speed := next_speed.
-Lemma flown i j n : rate d (arriving n) i j =
-  rate d (scenes n) i j + tau n * dot d (relative (scenes n) i j) (relative (scenes n) i j).
-Proof. unfold rate, arriving. rewrite to_later, relative_later, dot_linear. ring. Qed.
+Let speed n := next_speed n / reach (partner n).
+Lemma flown b n : part (arriving n) b =
+  part (scenes n) b + tau n * (dot d (relative (scenes n) o b) (relative (scenes n) o b) / reach b).
+Proof. unfold part, rate, arriving. rewrite to_later, relative_later, dot_linear. unfold Rdiv. ring. Qed.
 Lemma path i j n : square d (scenes (S n)) i j = square d (scenes n) i j +
   2 * tau n * rate d (scenes n) i j + tau n * tau n * dot d (relative (scenes n) i j) (relative (scenes n) i j).
 Proof.
   unfold square at 1. rewrite places. unfold arriving. rewrite to_later, square_of_combined.
   unfold square, rate. ring.
 Qed.
-Lemma closes n : u n <= y n.
-Proof.
-  unfold u, y. rewrite flown. destruct (run n) as (T & _).
-  assert (0 <= tau n * dot d (relative (scenes n) o (partner n)) (relative (scenes n) o (partner n)));
-    [|lra]. apply Rmult_le_pos; [lra | apply dot_self].
-Qed.
+Lemma speed_positive n : 0 <= speed n.
+Proof. apply Rmult_le_pos; [apply dot_self | now apply Rlt_le, Rinv_0_lt_compat]. Qed.
 Lemma slow n : speed n * tau n < y n.
 Proof. pose proof (u_positive n) as U. unfold u in U. rewrite flown in U. unfold speed, next_speed, y. lra. Qed.
+Lemma closes n : u n <= y n.
+Proof.
+  unfold u, y. rewrite flown. fold (next_speed n). fold (speed n). destruct (run n) as (T & _).
+  assert (0 <= tau n * speed n); [|lra]. apply Rmult_le_pos; [lra | apply speed_positive].
+Qed.
 Lemma parts_at n : eta (S n) = r * u n.
 Proof. unfold eta. rewrite next_spectator. apply recedes. Qed.
 Lemma law n : y (S n) <= (1 + r) / 2 * (C n * D n) * u n - eta n.
 Proof.
   unfold y. rewrite next_partner, pushed_together. destruct (run n) as (T & _).
-  pose proof (rate_rises d (scenes n) o (spectator n) _ (Rlt_le _ _ T)) as K. fold (arriving n) in K.
+  pose proof (part_rises (scenes n) (spectator n) _ (Rlt_le _ _ T)) as K. fold (arriving n) in K.
   unfold eta. lra.
 Qed.
 Lemma later_flight n : eta (S n) * tau (S n) <= y (S (S n)) * tau (S (S n)).
 Proof.
   pose proof (path o (partner n) (S n)) as P. pose proof (path o (partner n) (S (S n))) as Q.
-  assert (E1 : square d (scenes (S n)) o (partner n) = 1) by (apply unit_square, contact).
-  assert (E2 : square d (scenes (S (S (S n)))) o (partner n) = 1).
-  { apply unit_square. pose proof (contact (S (S n))) as K. now rewrite next_partner, next_spectator in K. }
-  unfold eta, y. rewrite (next_partner (S n)), !next_spectator.
+  pose proof (contact_square n) as E1. pose proof (contact_square (S (S n))) as E2.
+  rewrite next_partner, next_spectator in E2.
+  unfold eta, y, part. rewrite (next_partner (S n)), !next_spectator. pose proof (far (partner n)) as F.
   destruct (run (S n)) as (T1 & _). destruct (run (S (S n))) as (T2 & _).
   assert (Z : forall k, 0 <= tau k * tau k * dot d (relative (scenes k) o (partner n)) (relative (scenes k) o (partner n)))
     by (intros k; apply Rmult_le_pos; [apply Rle_0_sqr | apply dot_self]).
-  pose proof (Z (S n)). pose proof (Z (S (S n))). lra.
+  pose proof (Z (S n)). pose proof (Z (S (S n))). apply Rmult_le_reg_r with (reach (partner n)); [exact F|].
+  replace (rate d (scenes (S n)) o (partner n) / reach (partner n) * tau (S n) * reach (partner n)) with
+    (rate d (scenes (S n)) o (partner n) * tau (S n)) by (field; lra).
+  replace (- (rate d (scenes (S (S n))) o (partner n) / reach (partner n)) * tau (S (S n)) * reach (partner n)) with
+    (- rate d (scenes (S (S n))) o (partner n) * tau (S (S n))) by (field; lra). lra.
 Qed.
 
 Let q n := eta n / y n.
@@ -277,7 +274,7 @@ Proof.
   replace (INR m * e * (/ INR m / (2 * (t * t)))) with (e / (2 * (t * t))) by (field; repeat split; lra). exact M1.
 Qed.
 (* ... and then stays above r/t, while sigma grows. *)
-Lemma stops_below : Un_cv speed 0.
+Lemma slows_down : Un_cv speed 0.
 Proof.
   destruct passes as (n0 & L0 & K0). pose proof tt_positive as TT.
   assert (t0 : 0 < t) by lra.
@@ -337,7 +334,7 @@ Proof.
   specialize (HM m ltac:(unfold m; lia)). specialize (ALL m).
   rewrite Rabs_right in HM by (apply Rle_ge, pow_le; lra).
   pose proof (slow (S (S (n0 + m)))) as SL. pose proof (y_positive (S (S (n0 + m)))) as Y.
-  assert (SP : 0 <= speed (S (S (n0 + m)))) by apply dot_self.
+  pose proof (speed_positive (S (S (n0 + m)))) as SP.
   unfold R_dist. rewrite Rminus_0_r, Rabs_right by lra.
   assert (B1' : speed (S (S (n0 + m))) * sigma (S (S (n0 + m))) < 1).
   { unfold sigma. apply Rmult_lt_reg_r with (y (S (S (n0 + m)))); [exact Y|].
@@ -350,6 +347,18 @@ Proof.
   assert (SG : 0 < sigma (S (S (n0 + m)))).
   { unfold sigma. apply Rdiv_lt_0_compat; [apply (run (S (S (n0 + m)))) | exact Y]. }
   apply Rmult_lt_reg_r with (sigma (S (S (n0 + m)))); [exact SG | lra].
+Qed.
+Lemma stops_below : Un_cv next_speed 0.
+Proof.
+  set (most := reach a + reach c). pose proof (far a). pose proof (far c). assert (M : 0 < most) by (unfold most; lra).
+  intros e E. destruct (slows_down (e / most)) as (K & L); [now apply Rdiv_lt_0_compat|]. exists K. intros n G.
+  specialize (L n G). pose proof (speed_positive n) as P. unfold R_dist in *. rewrite Rminus_0_r, Rabs_right in * by lra.
+  assert (S : next_speed n = speed n * reach (partner n)) by (unfold speed; pose proof (far (partner n)); field; lra).
+  assert (B : reach (partner n) <= most) by (unfold most, partner; destruct (Nat.even n); lra).
+  assert (Q : speed n * reach (partner n) <= speed n * most) by (apply Rmult_le_compat_l; lra).
+  assert (W : speed n * most < e).
+  { apply Rmult_lt_reg_r with (/ most); [now apply Rinv_0_lt_compat|]. rewrite Rmult_assoc, Rinv_r, Rmult_1_r by lra. exact L. }
+  assert (0 <= next_speed n) by apply dot_self. rewrite Rabs_right; lra.
 Qed.
 End BelowThreshold.
 

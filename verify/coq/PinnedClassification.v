@@ -68,6 +68,19 @@ Definition least_angle : Prop :=
     4 * sqrt r / (1 + r) <= minus_cosine_at d at_T o a c <= 1 /\
     (2 * Rpower r (1 / 3) * (1 + Rpower r (1 / 3)) / (1 + r) <= minus_cosine_at d at_T o a c \/
       forall a b k, (k < d)%nat -> Un_cv (fun n => from_to (velocities n) a b k) 0).
+(* The same of balls of equal masses and any radii that collapse in finite time, and part at r times the
+   speed in each collision. *)
+Definition least_angle_in_time : Prop :=
+  forall d m radius r places velocities time T i j,
+  0 < m -> (forall b, 0 < radius b) -> 0 < r <= 1 ->
+  collisions d (fun _ => m) radius places velocities time i j ->
+  (forall n, rate d (places (S n)) (velocities (S n)) (i n) (j n) =
+    - r * rate d (places (S n)) (velocities n) (i n) (j n)) -> Un_cv time T ->
+  exists at_T o a c N, settles d places at_T /\ in_turn_from N i j o a c /\
+    distance d at_T o a = radius o + radius a /\ distance d at_T o c = radius o + radius c /\
+    4 * sqrt r / (1 + r) <= minus_cosine_at d at_T o a c <= 1 /\
+    (2 * Rpower r (1 / 3) * (1 + Rpower r (1 / 3)) / (1 + r) <= minus_cosine_at d at_T o a c \/
+      forall a b k, (k < d)%nat -> Un_cv (fun n => from_to (velocities n) a b k) 0).
 (* III. *)
 Definition bounded_impulse : Prop :=
   forall d r x v places velocities time i j, 0 < r <= 1 ->
@@ -157,6 +170,15 @@ Proof.
   destruct (ClassificationProof.least_angle_holds _ _ _ _ _ _ _ R E) as (z & o & a & c & N & Z & D & W & K).
   exists (Theorem1.position z), o, a, c, N. split; [exact Z|]. split; [now apply same_turns | exact K].
 Qed.
+Theorem least_angle_in_time_proved : least_angle_in_time.
+Proof.
+  intros d m radius r places velocities time T i j M P R S V L. pose proof S as S'. apply same_strikes in S'.
+  destruct (ClassificationProof.least_angle_in_time_holds d m radius r _ time T i j M P R S') as
+    (z & o & a & c & N & Z & D & W & K); [|exact L|].
+  - intros n. specialize (V n). destruct (S n) as (_ & _ & E & _). cbn zeta in E. rewrite E in V.
+    unfold Theorem1.rate at 1, Theorem1.to. cbn [Theorem1.position placed]. rewrite E. exact V.
+  - exists (Theorem1.position z), o, a, c, N. split; [exact Z|]. split; [now apply same_turns | exact K].
+Qed.
 Theorem bounded_impulse_proved : bounded_impulse.
 Proof.
   intros d r x v places velocities time i j R E. pose proof E as (_ & D). apply same_endless in E.
@@ -190,10 +212,11 @@ Qed.
 
 (* --- what is proved ------------------------------------------------------------------------------- *)
 
-Theorem classification_proved : no_triangle /\ least_angle /\ bounded_impulse /\ no_spin /\
-  finite_or_endless /\ finite_if.
+Theorem classification_proved : no_triangle /\ least_angle /\ least_angle_in_time /\ bounded_impulse /\
+  no_spin /\ finite_or_endless /\ finite_if.
 Proof.
   split; [exact no_triangle_proved|]. split; [exact least_angle_proved|].
+  split; [exact least_angle_in_time_proved|].
   split; [exact bounded_impulse_proved|]. split; [exact no_spin_proved|].
   split; [exact finite_or_endless_proved | exact finite_if_proved].
 Qed.

@@ -35,9 +35,7 @@ Theorem least_final_angle d r s c tolerance : 0 < r < 1 -> nearly_linear d r s c
 Proof.
   intros R0 (scenes & time & i & j & T & at_T & a & b & N & E & _ & D & W & S & A).
   assert (R : 0 < r <= 1) by lra.
-  destruct (ends_touching d r s scenes time i j R E at_T B0 a b N S W) as (T1 & T2).
-  pose proof (least d r s scenes time i j R E at_T S B0 a b N D W T1 T2) as L.
-  pose proof (second d r s scenes time i j R E at_T S B0 a b N D W T1 T2) as L2.
+  destruct (ends_there d r s scenes time i j R E at_T B0 a b N S D W) as (_ & _ & L & L2).
   assert (M : minus_cosine_at d at_T B0 a b = minus_cosine d at_T).
   { destruct D as (D1 & D2 & D3). unfold minus_cosine_at, minus_cosine.
     destruct a, b; try easy. now rewrite dot_symmetric, Rmult_comm. }

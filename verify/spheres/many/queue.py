@@ -87,6 +87,8 @@ class Queue:
         self.certain = float(min(motion.system.radii)) * CERTAIN if motion.box else 0.0
         #: In a box all contacts before this time are foreseen.
         self.limit: Number = None
+        #: The limits before this one; all contacts before the earlier of them have been.
+        self.begun = 0.0, 0.0
         #: About when that happened which was looked at last.
         self.when: Number = ZERO
         self.renew()
@@ -103,6 +105,7 @@ class Queue:
             part = PART / max(1.0, math.sqrt(count / FEW))  # so that few of many are near
             wait = part * min(self.nearby.sides) / fastest if fastest > 0 else 1
             start = ZERO if self.limit is None else self.limit
+            self.begun = self.begun[1], below(start)
             self.limit = start + balls.exact(Fraction(f"{wait:.3g}"))
         for i in range(count):
             for j in self._others(i):
@@ -161,7 +164,7 @@ class Queue:
         if not self.motion.box:
             yield ()
             return
-        start, end = balls.as_float(time), balls.as_float(self.limit)
+        start, end = max(balls.as_float(time), self.begun[0]), balls.as_float(self.limit)
         yield from self.nearby.images(i, j, (start, max(end, start)), 0.0)
 
     def _foresee_walls(self, i: int, met: Event | None) -> None:

@@ -177,6 +177,8 @@ def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["theorem1", "--r", "0.03", "--csv", "f.ods"], "ends in .ods; write f.csv"),
         (["export", "step"], "write verify export coq step or verify export text step;"),
         (["export", "coq"], "write verify export coq FOLDER;"),
+        (["export", "a\nb"], "write verify export coq FOLDER or"),
+        (["export", "x" * 5000], "write verify export coq FOLDER or"),
         (
             ["explain", "fista", "grows"],
             "verify prove fista --out DIR, and then verify explain DIR",

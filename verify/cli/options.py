@@ -142,7 +142,7 @@ class Parser:
         if len(words) != 1 or not first:
             return ""
         chosen = words if words[0] in first else [*first]
-        rest = "FOLDER" if words[0] in first else words[0]
+        rest = "FOLDER" if words is chosen or shown(words[0]) != f"'{words[0]}'" else words[0]
         return f"; write {' or '.join(f'{self.program} {name} {rest}' for name in chosen)}"
 
     def _once(self, name: str, found: dict[str, object]) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import resource
+
 import pytest
 
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
@@ -200,3 +202,52 @@ q = {{ claim = "{row}", in = "b" }}
 """
     found = decide_page(read_page_of("a.toml", page.encode(), {}), WorkBudget(WORK))
     assert found.claimed == PROVED
+
+
+HALVES = """
+title = "t"
+[contexts.c]
+variables = ["x"]
+given = {{ g = "x != 0" }}
+constants = {{ k = "x^2" }}
+rows = {{ row = "k/x <= abs(x)" }}
+[contexts."{}"]
+variables = ["y"]
+given = {{ "{}" = "y >= 0" }}
+rows = {{ "{}" = "y^2 >= 0" }}
+"""
+
+
+@pytest.mark.parametrize(
+    "names", [("d", "h", "z"), ("c.1", "h", "z"), ("d", "g.2", "z"), ("d", "h", "row.1")]
+)
+def test_names_of_a_page_that_are_like_those_of_cases(names: tuple[str, str, str]) -> None:
+    page = HALVES.format(*names)
+    found = decide_page(read_page_of("a.toml", page.encode(), {}), WorkBudget(WORK))
+    assert {decision.verdict for _, decision in found.rows} == {PROVED}
+
+
+def test_contexts_of_a_page_that_are_called_like_parts() -> None:
+    page = """
+title = "t"
+[contexts.c]
+variables = ["x"]
+given = ["x <= 5"]
+rows = { main = { claim = "x^2 + 1 > 0", by = "parts" } }
+[contexts."c.part1"]
+variables = ["x"]
+rows = { p1 = "x^2 + 1 > 0" }
+[contexts."c.part2"]
+variables = ["x"]
+rows = { p2 = "x^2 + 1 > 0" }
+"""
+    found = decide_page(read_page_of("a.toml", page.encode(), {}), WorkBudget(WORK))
+    reasons = {row.name: decision.reason for row, decision in found.rows}
+    assert "Error" not in reasons["main"]
+
+
+def test_powers_of_powers_take_no_memory() -> None:
+    """The exact value at a point has 10^9 bits; the limit of 2^19 is counted at each product."""
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    assert verdicts("(((x + 1)^999)^999)^999 >= 0", "", 1_000_000) == {UNDECIDED}
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss < before + 400_000  # kB

@@ -177,10 +177,10 @@ class Run:
 class ExactArithmetic:
     """Rational numbers; a square root exists where it is rational, a cosine never.
 
-    With ``max_bits`` a number whose numerator and denominator together are longer has no value.
+    A number whose numerator and denominator together have more than ``max_bits`` has no value.
     """
 
-    def __init__(self, max_bits: int | None = None) -> None:
+    def __init__(self, max_bits: int = 2**19) -> None:
         self._max_bits = max_bits
 
     def rational(self, value: Fraction) -> Fraction | None:
@@ -190,8 +190,6 @@ class ExactArithmetic:
     def operation(self, name: str) -> Callable[..., Fraction | None]:
         """The exact operation of this name."""
         function = _EXACT.get(name, _irrational)
-        if self._max_bits is None:
-            return function
 
         def short(*operands: Fraction) -> Fraction | None:
             value = function(*operands)
@@ -200,8 +198,7 @@ class ExactArithmetic:
         return short
 
     def _is_short(self, value: Fraction) -> bool:
-        size = value.numerator.bit_length() + value.denominator.bit_length()
-        return self._max_bits is None or size <= self._max_bits
+        return value.numerator.bit_length() + value.denominator.bit_length() <= self._max_bits
 
 
 def _divide(a: Fraction, b: Fraction) -> Fraction:

@@ -42,7 +42,8 @@ def _nearest(question: Question) -> Iterator[str]:
         at = ", ".join(
             f"{name} = {x:.{DIGITS}g}" for name, x in zip(wide.goal.variables, point, strict=True)
         )
-        yield f"it is most nearly false about {at}, where the sides differ by {value:.{DIGITS}g}"
+        gap = f"{value + 0.0:.{DIGITS}g}"  # 0 has no sign
+        yield f"it is most nearly false about {at}, where the sides differ by {gap}"
 
 
 def _left(known: Universal) -> Iterator[str]:

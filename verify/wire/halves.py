@@ -22,6 +22,8 @@ from verify.wire.text.points import Points
 
 #: Of so many differences the signs are told apart.
 MAX_SPLIT = 2
+#: So far numbers for the cases are looked for that no other name has.
+MAX_NUMBER = 100
 #: So long points are looked for, in seconds: what the work is worth that is counted.
 SECONDS = 1
 
@@ -64,8 +66,31 @@ def decided_in_parts(
 def halved(statement: Statement, open_rows: Collection[str]) -> Statement | None:
     """The statement with cases for contexts of these rows; None if that is nothing new.
 
-    Only contexts that nothing else refers to are taken apart.
+    Only contexts that nothing else refers to are taken apart. Cases are numbered from 1 on, or from
+    where no other name is like that.
     """
+    for first in range(1, MAX_NUMBER, 2**MAX_SPLIT):
+        found = _halved(statement, open_rows, first)
+        names = [] if found is None else [*_names(found)]
+        if len({*names}) == len(names):
+            return found
+    return None
+
+
+def _names(statement: Statement) -> Iterator[str]:
+    """The names of which each has to be another one."""
+    yield from statement.parameters
+    yield from (one.name for one in statement.constants)
+    yield from (row.name for row in statement.obligations)
+    for context in statement.contexts:
+        yield context.name
+        yield from (one.name for one in context.variables)
+        yield from (one.name for one in context.constants)
+        yield from (one.name for one in context.givens)
+
+
+def _halved(statement: Statement, open_rows: Collection[str], first: int) -> Statement | None:
+    """The same with cases that are numbered from here on."""
     rows: dict[str, list[Obligation]] = {}
     for row in statement.obligations:
         if row.context is not None:
@@ -77,7 +102,7 @@ def halved(statement: Statement, open_rows: Collection[str]) -> Statement | None
         own = rows.get(context.name, [])
         good = all(isinstance(row.claim, Claim) for row in own)
         if good and context.name not in held and any(row.name in open_rows for row in own):
-            found = [*_parts(context, points)]
+            found = [*_parts(context, points, first)]
             if found:
                 parts[context.name] = found
     if not parts:
@@ -89,9 +114,6 @@ def halved(statement: Statement, open_rows: Collection[str]) -> Statement | None
     for row in statement.obligations:
         each = parts.get(row.context or "", ())
         obligations += [part.row(row) for part in each] or [row]
-    found_names = [row.name for row in obligations]
-    if len({*found_names}) < len(found_names):
-        return None
     return statement._replace(contexts=tuple(contexts), obligations=tuple(obligations))
 
 
@@ -139,7 +161,7 @@ class _Part:
         )
 
 
-def _parts(context: Context, points: Points) -> Iterator[_Part]:
+def _parts(context: Context, points: Points, first: int) -> Iterator[_Part]:
     """The cases of a context; none unless each of them is seen to have a point."""
     different = {
         given.name: given.claim.rhs.children[0]
@@ -148,7 +170,7 @@ def _parts(context: Context, points: Points) -> Iterator[_Part]:
     }
     chosen = [*different.items()][:MAX_SPLIT]
     found = []
-    for number, signs in enumerate(product((-1, 1), repeat=len(chosen)), 1):
+    for number, signs in enumerate(product((-1, 1), repeat=len(chosen)), first):
         more = {name: _signed(term, sign) for (name, term), sign in zip(chosen, signs, strict=True)}
         part = _Part(context, number, more)
         if not part.with_point(points):

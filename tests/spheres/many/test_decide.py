@@ -13,7 +13,7 @@ from tests.spheres.many.simulation import Simulation
 from tests.spheres.many.systems import random_system, system_of
 from tests.spheres.scene.kinds import KINDS, random_scene_of
 from verify.spheres.many.decide import RESTS, Ending, decide_system
-from verify.spheres.many.system import name_of
+from verify.spheres.many.system import System, name_of
 from verify.spheres.scene.decide import APART, COLLAPSES, DISPERSES, Budget, decide_scene
 
 LIMITS = Budget(200)
@@ -100,3 +100,12 @@ def test_three_balls_are_decided_as_they_are_alone(kind: str) -> None:
         scene = random_scene_of(kind, rng)
         alone, found = decide_scene(scene, LIMITS), decide_system(system_of(scene), LIMITS)
         assert found.verdict == alone.verdict, (scene, alone.verdict, found.verdict, found.says)
+
+
+def test_balls_that_fall_side_by_side_stay_apart() -> None:
+    """Two contacts at once, of pairs 20 apart, after a fall of 605."""
+    rows = ((0, 0), (12, 0), (0, -20), (12, -20)), ((1, 0), (0, 0), (1, 0), (0, 0))
+    x, v = (tuple(tuple(map(Fraction, row)) for row in part) for part in rows)
+    one, half, gravity = (Fraction(1),) * 4, (Fraction(1, 2),) * 4, (Fraction(0), Fraction(-10))
+    found = decide_system(System(Fraction(1, 2), one, half, x, v, gravity=gravity))
+    assert (found.verdict, len(found.contacts)) == (DISPERSES, 2)

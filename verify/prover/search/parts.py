@@ -32,7 +32,7 @@ def _instance(question: Question, part: str) -> tuple[Term, Proof] | None:
     """The difference whose sign is known in a part, and the row there as a fact here."""
     known, session = question.known, question.session
     context = known.contexts.get(part)
-    if context is None:
+    if context is None or not context.givens:  # a context of the page may be called so
         return None
     names = {v.name: symbol(v.name.removeprefix(f"{part}.")) for v in context.variables}
     claims = {

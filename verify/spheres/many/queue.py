@@ -290,7 +290,7 @@ def check_apart(motion: Motion, before: dict[int, Ball], events: Sequence[Event]
         UnclearError: if that is not certain.
     """
     time = reduce(balls.hull, (balls.as_ball(event.time) for event in events))
-    paths = {k: _path(motion.balls[k], ball, time) for k, ball in before.items()}
+    paths = {k: _path(motion, (ball, motion.balls[k]), time) for k, ball in before.items()}
     spans = {k: _spans(motion, k, path) for k, path in paths.items()}
     for one, two in combinations(events, 2):
         for i, j in product(one.members, two.members):
@@ -307,13 +307,17 @@ def check_apart(motion: Motion, before: dict[int, Ball], events: Sequence[Event]
                     )  # fmt: skip
 
 
-def _path(after: Ball, before: Ball, time: Number) -> list[Number]:
+def _path(motion: Motion, ways: tuple[Ball, Ball], time: Number) -> list[Number]:
     """Where a ball is at all these times, before and after its contact."""
-    ways = (
-        [balls.as_ball(a + (time - way.time) * b) for a, b in zip(way.x, way.v, strict=True)]
-        for way in (before, after)
+    gravity = motion.gravity or [ZERO] * motion.system.dimension
+    before, after = (
+        [
+            balls.as_ball(a + wait * (b + wait * g / 2))
+            for a, b, g in zip(way.x, way.v, gravity, strict=True)
+        ]
+        for way, wait in ((way, time - way.time) for way in ways)
     )
-    return [balls.hull(a, b) for a, b in zip(*ways, strict=True)]
+    return [balls.hull(a, b) for a, b in zip(before, after, strict=True)]
 
 
 def _spans(motion: Motion, i: int, path: Sequence[Number]) -> list[tuple[float, float]]:

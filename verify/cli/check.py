@@ -121,7 +121,9 @@ def _print_report(found: Sequence[CheckedFolder], *, latex: bool, full: bool) ->
                 told = {ALL_PARAMETERS: lambda: theorem_tex(whole())}
                 texts = [tex_document(read, PAPER, told, full=full)]
             else:
-                texts = [report(one, PAPER) for one in read]
+                is_sent = (os.path.isfile(os.path.join(f.path, "check.py")) for f in folders)
+                both = zip(read, is_sent, strict=True)
+                texts = [report(one, PAPER, is_sent=sent) for one, sent in both]
         except WireError as error:
             print(f"verify: {error}"[:300], file=sys.stderr)
             return check.EXIT_CODES[MALFORMED]

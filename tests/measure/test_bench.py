@@ -12,6 +12,8 @@ import pytest
 from tests.measure.benchmarks import instructions
 from tests.measure.benchmarks.ratios import CERTIFICATE, certificate_ratio, committed, grown
 from verify.cli import main, report
+from verify.cli.made import Made
+from verify.cli.options import Options
 from verify.measure import scenes
 from verify.measure.bench import (
     MAIN_JOB,
@@ -54,11 +56,12 @@ def test_measurements_of_an_earlier_program_are_told() -> None:
 
 def test_the_report_compares_what_was_measured(capsys: pytest.CaptureFixture[str]) -> None:
     tables = json.loads(COMMITTED.read_text(encoding="utf-8"))["tables"]
-    assert not report._stale("there", {"bench": tables})
-    assert not report._stale("there", {})
+    told = Made("report", Options(json=False, compare=True))
+    assert not report._stale("there", {"bench": tables}, told)
+    assert not report._stale("there", {}, told)
     assert capsys.readouterr().out == ""
     del tables["slack"]
-    assert report._stale("there", {"bench": tables})
+    assert report._stale("there", {"bench": tables}, told)
     assert capsys.readouterr().out == (
         "STALE    there/data/bench.json: has no table slack; write it anew with "
         "verify bench --out there/data\n"

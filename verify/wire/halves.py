@@ -7,6 +7,7 @@ same: in place of the context it has one for each sign, with all rows in each of
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import partial
 from itertools import product
@@ -22,8 +23,6 @@ from verify.wire.text.points import Points
 
 #: Of so many differences the signs are told apart.
 MAX_SPLIT = 2
-#: So far numbers for the cases are looked for that no other name has.
-MAX_NUMBER = 100
 #: So long points are looked for, in seconds: what the work is worth that is counted.
 SECONDS = 1
 
@@ -66,10 +65,11 @@ def decided_in_parts(
 def halved(statement: Statement, open_rows: Collection[str]) -> Statement | None:
     """The statement with cases for contexts of these rows; None if that is nothing new.
 
-    Only contexts that nothing else refers to are taken apart. Cases are numbered from 1 on, or from
-    where no other name is like that.
+    Only contexts that nothing else refers to are taken apart. Cases are numbered from 1 on, or
+    behind all numbers in names if another name is like that.
     """
-    for first in range(1, MAX_NUMBER, 2**MAX_SPLIT):
+    numbers = (int(n) for name in _names(statement) for n in re.findall("[0-9]+", name))
+    for first in (1, max(numbers, default=0) + 1):
         found = _halved(statement, open_rows, first)
         names = [] if found is None else [*_names(found)]
         if len({*names}) == len(names):

@@ -760,7 +760,7 @@ said(P, "ζ_n < 1, so", by=row("theorem1-r-3-100", "Cnd3").replace("ζ̄ < 1", "
 UNIT = dict(
     zip(
         ("neg_cos", "ratio"),
-        map(str, Parameters(Fraction(3, 100), Fraction(1), Fraction(1))[1:]),
+        map(str, Parameters(Fraction(3, 100), Fraction(1), Fraction(1))[1:3]),
         strict=True,
     )
 )
@@ -775,6 +775,30 @@ said(
         "0-1 0-2", "docs/explanation/sandwich.md", "0-1 and 0-2 do not go on colliding in turn"
     ),
 )
+M = "verify/spheres/limit_map.py"
+said(P, "Let ball {} be in", coded("0", M, "The first ball is the one in the middle"))
+said(P, "let {} have just", coded("1", M, "the second has just collided with it"))
+said(P, "let {} be next;", coded("2", M, "the third one is the next"))
+said(P, "each pair {}-i by", "0")
+said(P, "root of {},", coded("m_i/(m₀+m_i)", M, "shares = m1 * m2 / ((m0 + m1) * (m0 + m2))"))
+said(
+    P,
+    "α = {} and",
+    coded(
+        "(1+r)(-cos θ) √(m₁m₂/((m₀+m₁)(m₀+m₂)))", M, "((1 + self.r) * self.neg_cos) ** 2 * shares"
+    ),
+)
+said(
+    P,
+    "ρ = {} ·",
+    coded("|W₁|²/|W₂|²", M, "The ratio is |W|² of the second over that of the third"),
+)
+said(P, "· {} ·", coded("(R₀+R₂)/(R₀+R₁)", M, "sizes = (middle + after) / (middle + last)"))
+said(P, "· {}\n", coded("√(m₁(m₀+m₂)/(m₂(m₀+m₁))),", M, "return m1 * (m0 + m2) / (m2 * (m0 + m1))"))
+NEAR = "tests/spheres/test_separatrix_of_balls.py"
+said(P, "that start {} %\nbelow", coded("3", NEAR, "strip.low * F(97, 100)"))
+said(P, "about ball {}, and", coded("0", NEAR, "collapse about ball 0"))
+said(P, "that start {} % above", coded("3", NEAR, "strip.high * F(103, 100)"))
 PLANE = json.loads(file("certificates/map/strip/map.json"))["plane"]
 said(
     P,

@@ -48,6 +48,24 @@ def test_where_there_is_none(capsys: pytest.CaptureFixture[str]) -> None:
     assert found["f"] == {"u": ["0", "0"], "phi_2": ["0", "0"]}
 
 
+def test_other_masses_and_radii(capsys: pytest.CaptureFixture[str]) -> None:
+    words = "--r 3/100 --at 1/10 --masses 1,5,0.5 --radii 0.5,1,0.25"
+    found = document(capsys, words)
+    assert found["verdict"] == "proved"
+    assert found["parameters"]["masses"] == ["1", "5", "1/2"]
+    assert found["parameters"]["radii"] == ["1/2", "1", "1/4"]
+    code, out = run(capsys, words)
+    assert code == 0
+    assert "masses 1, 5, 0.5, radii 0.5, 1, 0.25: proved" in out
+    assert "q is 1.5811388… φ₁" in out
+
+
+@pytest.mark.parametrize("words", ["--masses 1,2", "--masses 1,0,2", "--radii 1,2,x", "--radii 1"])
+def test_balls_that_are_none(words: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["separatrix", "--r", "0.03", *words.split()]) == 2
+    assert words.split()[0] in capsys.readouterr().err
+
+
 def test_a_budget_that_does_not_suffice(capsys: pytest.CaptureFixture[str]) -> None:
     known = document(capsys, "--r 0.05 --at 1/100")
     found = document(capsys, "--r 0.05 --at 1/100 --budget 100")

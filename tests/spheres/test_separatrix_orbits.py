@@ -10,7 +10,7 @@ import pytest
 from mpmath import mp, mpf
 from numpy.typing import NDArray
 
-from tests.spheres.test_separatrix import curve, goes_on, samples
+from tests.spheres.test_separatrix import curve, goes_on, letters, samples
 from verify.spheres.limit_map import Parameters
 
 Numbers = NDArray[np.float64]
@@ -33,7 +33,7 @@ def test_orbits_with_60_digits_part_at_the_enclosure(parameters: Parameters, q: 
 
 def fates(parameters: Parameters, q: Numbers, u: Numbers) -> Numbers:
     """1 where the collisions end, -1 where u has become small, by the map in doubles."""
-    r, a, rho = (float(x) for x in (parameters.r, parameters.a, parameters.ratio))
+    r, a, rho = map(float, letters(parameters))
     first, found = u.copy(), np.zeros(len(u))
     for _ in range(50000):
         left = found == 0

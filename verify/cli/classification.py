@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from verify.cli import claims
 from verify.cli.files import test_folder
 from verify.cli.options import Options, Usage
@@ -12,7 +10,7 @@ from verify.paper.commands.pages import accepted
 from verify.paper.meaning import MEANING
 from verify.paper.source import PAPER
 from verify.prover.outcome import EXIT_CODES
-from verify.spheres.parameters import restitution
+from verify.spheres.parameters import restitution, three_positive
 from verify.views.classification import (
     classification_document,
     masses_document,
@@ -23,7 +21,7 @@ from verify.views.classification import (
     theorem_lines,
 )
 from verify.views.row_lists import screen
-from verify.wire.inputs import InputError, rational, shown
+from verify.wire.inputs import InputError
 
 USAGE = Usage(
     {
@@ -34,23 +32,10 @@ USAGE = Usage(
 )
 
 
-def masses_in(text: str) -> tuple[Fraction, ...]:
-    """The three masses.
-
-    Raises:
-        InputError: if they are not three positive numbers.
-    """
-    words = text.split(",")
-    found = tuple(rational("--masses", word.strip()) for word in words)
-    if len(found) != 3 or min(found) <= 0:
-        raise InputError(f"--masses: {shown(text)} are not three positive numbers; write 1,2,3")
-    return found
-
-
 def run(options: Options) -> int:
     """Print the theorems or the document, write the files, return the exit code."""
     r = None if options.r is None else restitution(options.r, elastic=True)
-    masses = None if options.masses is None else masses_in(options.masses)
+    masses = None if options.masses is None else three_positive("--masses", options.masses)
     if masses is not None and r is None:
         raise InputError("--masses: add --r R, the coefficient of restitution of all pairs")
     test_folder("--out", options.out, "statement.json", "certificate.json")

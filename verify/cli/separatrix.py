@@ -17,7 +17,7 @@ from verify.cli.options import CERTIFICATE, COLOR, JSON, ROWS, VERBOSE, Options,
 from verify.cli.terminal import show
 from verify.language.errors import UnreadError
 from verify.spheres.limit_map import Parameters
-from verify.spheres.parameters import neg_cos, restitution
+from verify.spheres.parameters import neg_cos, restitution, three_positive
 from verify.spheres.separatrix import DRAWN_DIGITS, Separatrix, decide_separatrix, staircase
 from verify.views.separatrix import (
     curves_document,
@@ -33,8 +33,26 @@ MAX_DIGITS, MAX_BUDGET, MAX_STEPS = 1000, 10**8, 50
 #: At how many places each of several curves is decided for a picture.
 FEW_CORNERS = 60
 #: What only some of the three uses have.
-WITH_R = ("--r", "--neg-cos", "--ratio", "--at", "--digits", "--budget", "--steps", "--plot")
-DEFAULTS = {"neg_cos": "1", "ratio": "1", "digits": "12", "budget": "2000000", "steps": "5"}
+WITH_R = (
+    "--r",
+    "--neg-cos",
+    "--ratio",
+    "--masses",
+    "--radii",
+    "--at",
+    "--digits",
+    "--budget",
+    "--steps",
+    "--plot",
+)
+DEFAULTS = {
+    "neg_cos": "1",
+    "ratio": "1",
+    "balls": "1,1,1",
+    "digits": "12",
+    "budget": "2000000",
+    "steps": "5",
+}
 #: Of several curves.
 CURVE_DIGITS = "8"
 
@@ -45,6 +63,8 @@ USAGE = Usage(
         "--r R": "restitution coefficient in (0, 1) (exact: 0.03, 3/100 or 3e-2), or A..B",
         "--neg-cos C": "-cos of the angle, in (0, 1] (default 1)",
         "--ratio RATIO": "|W|² of the pair that collided, over the next one's (default 1)",
+        "--masses M,M,M": "of the middle ball, the one that collided, the next (default 1,1,1)",
+        "--radii R,R,R": "of the same balls (default 1,1,1)",
         "--at Q": "enclose f at this q only (default: a table)",
         "--digits N": "how many digits of f (default 12)",
         "--budget N": "follow at most so many collisions (default 2000000)",
@@ -132,7 +152,9 @@ def _curves(options: Options) -> int:
 
 def _parameters(options: Options, r: Fraction) -> Parameters:
     c, ratio = options.neg_cos or DEFAULTS["neg_cos"], options.ratio or DEFAULTS["ratio"]
-    return Parameters(r, neg_cos(c), positive("--ratio", ratio))
+    given = {"--masses": options.masses, "--radii": options.radii}
+    balls = (three_positive(name, text or DEFAULTS["balls"]) for name, text in given.items())
+    return Parameters(r, neg_cos(c), positive("--ratio", ratio), *balls)
 
 
 def _at(options: Options) -> Fraction | None:

@@ -51,8 +51,9 @@ def enclosed(parameters: Parameters, q: Fraction, digits: int) -> tuple[CurveAt,
 def bisected(parameters: Parameters, q: Fraction, digits: int) -> mpf:
     """f(q) as plain bisection finds it: an orbit that gets small is taken for one that goes on."""
     with mp.workdps(digits + MORE):
-        numbers = (*parameters[:1], parameters.a, parameters.ratio, q)
-        r, a, ratio, start = (mpf(x.numerator) / x.denominator for x in numbers)
+        numbers = (parameters.r, parameters.square_a, parameters.square_rho, q)
+        r, square, other, start = (mpf(x.numerator) / x.denominator for x in numbers)
+        a, ratio = mp.sqrt(square), mp.sqrt(other)
         low, high = mpf(0), mpf(1)
         while high - low > high / 10**digits:
             middle = (low + high) / 2

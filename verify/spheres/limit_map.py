@@ -42,17 +42,47 @@ GUARD_BITS, DOUBLINGS = 48, 8
 LARGEST_POWER = 1 << 13
 
 
+#: Three of this.
+EQUAL = (Fraction(1),) * 3
+
+
 class Parameters(Record):
-    """r in (0, 1), -cos of the angle in (0, 1], and the ratio rho > 0, all exact."""
+    """r in (0, 1), -cos of the angle in (0, 1], the ratio of the squared speeds > 0; which balls.
+
+    All exact. The first ball is the one in the middle, the second has just collided with it, and
+    the third one is the next. The ratio is |W|² of the second over that of the third.
+    """
 
     r: Fraction
     neg_cos: Fraction
     ratio: Fraction
+    masses: tuple[Fraction, ...] = EQUAL
+    radii: tuple[Fraction, ...] = EQUAL
 
     @property
-    def a(self) -> Fraction:
-        """(1+r)/2 times -cos of the angle."""
-        return (1 + self.r) * self.neg_cos / 2
+    def is_unlike(self) -> bool:
+        """Whether the balls differ in mass or radius."""
+        return any(len(set(values)) > 1 for values in (self.masses, self.radii))
+
+    @property
+    def square_a(self) -> Fraction:
+        """The square of a = (1+r) (-cos θ) √(m₁m₂/((m₀+m₁)(m₀+m₂))); (1+r)/2 for equal masses."""
+        m0, m1, m2 = self.masses
+        shares = m1 * m2 / ((m0 + m1) * (m0 + m2))
+        return ((1 + self.r) * self.neg_cos) ** 2 * shares
+
+    @property
+    def square_rho(self) -> Fraction:
+        """The square of rho = ratio (R₀+R₂)/(R₀+R₁) √(m₁(m₀+m₂)/(m₂(m₀+m₁)))."""
+        middle, last, after = self.radii
+        sizes = (middle + after) / (middle + last)
+        return (self.ratio * sizes) ** 2 * self.scale
+
+    @property
+    def scale(self) -> Fraction:
+        """The square of what a ratio of normal speeds is multiplied by to be q."""
+        m0, m1, m2 = self.masses
+        return m1 * (m0 + m2) / (m2 * (m0 + m1))
 
 
 class CurveAt(Record):
@@ -78,17 +108,17 @@ class Allowance:
 def has_separatrix(parameters: Parameters) -> bool | None:
     """Whether s + s^2 < a, where s^3 = r: the hypothesis of Theorem 1.
 
-    For a > 0 that is r (1 + r) < a^3 - 3 r a: there is equality at a = s + s^2, the right side
+    For a > 0 that is r (1 + r) < a (a^2 - 3 r): there is equality at a = s + s^2, the right side
     grows with a from √r on, and up to 2√r it is at most 2 r √r < r (1 + r).
     """
-    r, a = parameters.r, parameters.a
-    return r * (1 + r) < a**3 - 3 * r * a
+    r, square = parameters.r, parameters.square_a
+    return square > 3 * r and (r * (1 + r)) ** 2 < square * (square - 3 * r) ** 2
 
 
 def beyond(parameters: Parameters, q: Fraction) -> bool:
     """Whether q is at least phi_plus, the larger root of x^2 - a x + r."""
-    r, a = parameters.r, parameters.a
-    return 2 * q > a and q * q - a * q + r >= 0
+    r, square = parameters.r, parameters.square_a
+    return q > 0 and 4 * q * q > square and (q * q + r) ** 2 >= square * q * q
 
 
 def fixed_points(parameters: Parameters, bits: int) -> tuple[Ends, ...]:
@@ -97,26 +127,41 @@ def fixed_points(parameters: Parameters, bits: int) -> tuple[Ends, ...]:
     Nothing if x^2 - a x + r is not seen to change its sign in them, before and after a/2.
     """
     minus, plus = found = _near_roots(parameters, bits)
-    apart = 2 * minus[1] < parameters.a < 2 * plus[0]
+    apart = 4 * minus[1] ** 2 < parameters.square_a < 4 * plus[0] ** 2
     return found if apart and all(changes_sign(parameters, ends) for ends in found) else ()
 
 
 def changes_sign(parameters: Parameters, ends: Ends) -> bool:
-    """Whether x^2 - a x + r has opposite signs at two ends, or is 0 at one of them."""
-    low, high = ((x - parameters.a) * x + parameters.r for x in ends)
+    """Whether x^2 - a x + r has opposite signs at two positive ends, or is 0 at one of them."""
+    r, square = parameters.r, parameters.square_a
+    low, high = ((x * x + r) ** 2 - square * x * x for x in ends)
     return low * high <= 0
 
 
 def _near_roots(parameters: Parameters, bits: int) -> tuple[Ends, Ends]:
     """Numbers around the roots of x^2 - a x + r."""
-    r, a = parameters.r, parameters.a
+    r, square = parameters.r, parameters.square_a
     with balls.precision(2 * bits):  # at which the ends of balls are rounded
-        root = balls.any_root(balls.exact(a * a - 4 * r))
-        if not isinstance(root, Ball):
-            half = balls.as_fraction(root) / 2
-            return (a / 2 - half, a / 2 - half), (a / 2 + half, a / 2 + half)
-        plus = (balls.from_fraction(a) + root) / 2
+        a, apart = (balls.any_root(balls.exact(x)) for x in (square, square - 4 * r))
+        plus = (a + apart) / 2
+        if balls.is_rational(plus):
+            exact = balls.as_fraction(plus)
+            return (r / exact, r / exact), (exact, exact)
         return balls.ends(balls.from_fraction(r) / plus), balls.ends(plus)
+
+
+def root(square: Fraction) -> Ball:
+    """The square root of a positive number, at the current precision."""
+    return balls.as_ball(balls.any_root(balls.exact(square)))
+
+
+def root_ends(square: Fraction, bits: int) -> Ends:
+    """Numbers around the square root of a positive one; the same, if it is rational."""
+    with balls.precision(bits):
+        found = balls.any_root(balls.exact(square))
+        if balls.is_rational(found):
+            return (balls.as_fraction(found),) * 2
+        return balls.ends(found)
 
 
 # --- orbits ---------------------------------------------------------------------------------------
@@ -127,10 +172,11 @@ class Orbits:
 
     def __init__(self, parameters: Parameters, bits: int, budget: Allowance) -> None:
         self.bits, self.budget = bits, budget
+        square = parameters.square_rho
         with balls.precision(bits):
-            exact = balls.from_fraction
-            self.r, self.a = exact(parameters.r), exact(parameters.a)
-            self.ratios = exact(parameters.ratio), exact(1 / parameters.ratio)
+            self.r = balls.from_fraction(parameters.r)
+            self.a = root(parameters.square_a)
+            self.ratios = root(square), root(1 / square)
 
     def side(self, q: Fraction, u: Fraction) -> int:
         """-1 only if u <= f(q), 1 only if u >= f(q); 0 if neither is known."""
@@ -227,8 +273,10 @@ class Curve:
 
     def _highest(self) -> Fraction:
         """A short number that is at least a/(a + rho)."""
-        a, size = self.parameters.a, 1 << 64
-        quotient = a / (a + self.parameters.ratio)
+        size = 1 << 64
+        with balls.precision(GUARD_BITS + size.bit_length()):
+            square = self.parameters.square_rho / self.parameters.square_a
+            _, quotient = balls.ends(1 / (1 + root(square)))
         return Fraction(-(-quotient.numerator * size // quotient.denominator), size)
 
 

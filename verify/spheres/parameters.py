@@ -70,6 +70,18 @@ def neg_cos(text: str) -> Fraction:
     return value
 
 
+def three_positive(option: str, text: str) -> tuple[Fraction, ...]:
+    """Read a number for each of three balls.
+
+    Raises:
+        InputError: if they are not three positive numbers.
+    """
+    found = tuple(rational(option, word.strip()) for word in text.split(","))
+    if len(found) != 3 or min(found) <= 0:
+        raise InputError(f"{option}: {shown(text)} are not three positive numbers; write 1,2,3")
+    return found
+
+
 def angle(option: str, text: str) -> Term:
     """Read an angle in (pi/2, pi] and return -cos of it as a term.
 

@@ -20,10 +20,13 @@ from verify.spheres.limit_map import (
     beyond,
     fixed_points,
     has_separatrix,
+    root_ends,
 )
 
 #: Digits beyond those that are shown, so that those agree at both ends.
 MORE_DIGITS = 2
+#: At which a and the ratio are shown.
+SHOWN_BITS = 128
 #: How many places of the curve a picture has, and their digits.
 CORNERS, DRAWN_DIGITS = 160, 4
 #: Values of q in a table that are tried for its step.
@@ -48,6 +51,26 @@ class Separatrix(Record):
     exists_by: str = RATIONALS
     fixed_by: str = SIGNS
     cycle_by: str = NEWTON
+
+    @property
+    def a(self) -> Ends:
+        """Around a."""
+        return root_ends(self.parameters.square_a, SHOWN_BITS)
+
+    @property
+    def rho(self) -> Ends:
+        """Around the ratio in the map."""
+        return root_ends(self.parameters.square_rho, SHOWN_BITS)
+
+    @property
+    def scale(self) -> Ends:
+        """Around what a ratio of normal speeds is multiplied by to be q."""
+        return root_ends(self.parameters.scale, SHOWN_BITS)
+
+    @property
+    def is_steady(self) -> bool:
+        """Whether the ratio in the map is 1: then its cycle is one state."""
+        return self.parameters.square_rho == 1
 
     @property
     def verdict(self) -> str:

@@ -23,6 +23,7 @@ CHECKER = "verify/check.py"
 #: entries are read.
 Separatrix = Any
 CurveAt = Any
+Parameters = Any
 
 #: What the verdicts rest on, beside their judges.
 BELIEVED = (
@@ -36,6 +37,8 @@ NOT_DECIDED = (
     "what scenes on the curve do, and those of which a tangential speed tends to 0",
 )
 
+#: Digits of what the letters of unlike balls are multiplied by.
+SHOWN_DIGITS = 8
 #: Digits of the ends in a document, beyond those asked for.
 EXTRA_DIGITS = 6
 
@@ -51,12 +54,11 @@ def phi_2(u: Ends) -> Ends:
 
 def separatrix_document(found: Separatrix, certified: str = "") -> dict[str, Any]:
     """One JSON document; every number is a string. A certificate says what was certified."""
-    r, c, ratio = map(rational_text, found.parameters)
     document: dict[str, Any] = {
         "format": FORMAT,
         "command": "separatrix",
         "verdict": found.verdict,
-        "parameters": {"r": r, "neg_cos_theta": c, "ratio": ratio},
+        "parameters": _parameters(found.parameters),
         "exists": {"answer": found.exists, "judge": found.exists_by},
         "believed": list(BELIEVED),
         "not_decided": list(NOT_DECIDED),
@@ -79,6 +81,26 @@ def separatrix_document(found: Separatrix, certified: str = "") -> dict[str, Any
         q, u, x, v = (outward(ends, found.digits + EXTRA_DIGITS) for ends in found.cycle)
         document["cycle"] = {"q": q, "u": u, "next": {"q": x, "u": v}, "judge": found.cycle_by}
     return document
+
+
+def _parameters(parameters: Parameters) -> dict[str, Any]:
+    names = ("r", "neg_cos_theta", "ratio")
+    told: dict[str, Any] = dict(zip(names, map(rational_text, parameters[:3]), strict=True))
+    if parameters.is_unlike:
+        for name in ("masses", "radii"):
+            told[name] = [rational_text(value) for value in getattr(parameters, name)]
+    return told
+
+
+def line_of(parameters: Parameters, *, of_one: bool = True) -> str:
+    """The parameters in a line; of several curves without r."""
+    r, c, ratio = map(exact_number, parameters[:3])
+    words = [f"r = {r}"] if of_one else []
+    words += [f"-cos θ = {c}", f"ratio {ratio}"]
+    if parameters.is_unlike:
+        masses, radii = (", ".join(map(exact_number, values)) for values in parameters[3:])
+        words.append(f"masses {masses}, radii {radii}")
+    return ", ".join(words)
 
 
 def curves_document(curves: Sequence[Separatrix]) -> dict[str, Any]:
@@ -118,9 +140,7 @@ def _named(u: Ends) -> tuple[tuple[str, Ends], ...]:
 
 def screen(found: Separatrix, certified: str = "") -> Iterator[str]:
     """The table, the points on it, what is believed and what is not decided, the verdict."""
-    r, c, ratio = map(exact_number, found.parameters)
-    where = f"r = {r}, -cos θ = {c}, ratio {ratio}"
-    yield f"Separatrix of the limit map at {where}: {found.verdict}"
+    yield f"Separatrix of the limit map at {line_of(found.parameters)}: {found.verdict}"
     yield ""
     yield from _existence(found)
     yield from _curve(found)
@@ -141,6 +161,7 @@ def _existence(found: Separatrix) -> Iterator[str]:
     elif found.exists:
         yield f"There is a separatrix: s + s² < a, where s³ = r and a = {_a(found)}."
         yield "Below the curve u = f(q) the collisions go on for ever; above it they end."
+        yield from _units(found)
     else:
         yield (
             f"There is no separatrix: a ≤ s + s², where s³ = r and a = {_a(found)}. No orbit with "
@@ -149,8 +170,24 @@ def _existence(found: Separatrix) -> Iterator[str]:
     yield ""
 
 
+def _units(found: Separatrix) -> Iterator[str]:
+    """What the letters mean for unlike balls."""
+    if found.parameters.is_unlike:
+        scale, rho = (_number(ends, SHOWN_DIGITS) for ends in (found.scale, found.rho))
+        yield (
+            "Ball 1 has just collided with ball 0, the middle one; ball 2 is next. "
+            f"q is {scale} φ₁, in φ₂ the gap is divided by the radii of 0 and 2 together, and ρ is "
+            f"{rho}."
+        )
+
+
 def _a(found: Separatrix) -> str:
-    return exact_number(found.parameters.a)
+    return _number(found.a, found.digits)
+
+
+def _number(ends: Ends, digits: int) -> str:
+    """A number exactly if it is rational, else with its digits."""
+    return exact_number(ends[0]) if ends[0] == ends[1] else short(ends, digits)
 
 
 def _curve(found: Separatrix) -> Iterator[str]:
@@ -168,9 +205,9 @@ def _curve(found: Separatrix) -> Iterator[str]:
         yield f"  (judge: {found.fixed_by})"
     if found.cycle:
         q, u, x, v = (short(ends, found.digits) for ends in found.cycle)
-        kind = "The saddle" if found.parameters.ratio == 1 else "The saddle, of period two,"
+        kind = "The saddle" if found.is_steady else "The saddle, of period two,"
         yield f"{kind} on the curve: q = {q}, u = {u} (judge: {found.cycle_by})"
-        if found.parameters.ratio != 1:
+        if not found.is_steady:
             yield f"  after one collision: q = {x}, u = {v}, on the curve of 1/ratio"
     elif found.at is None:
         yield "The saddle on the curve was not enclosed."
@@ -195,8 +232,8 @@ def _verdict(found: Separatrix) -> str:
 
 def curves_screen(curves: Sequence[Separatrix]) -> Iterator[str]:
     """How the curve moves with r: where it begins and ends, and its saddle."""
-    c, ratio = map(exact_number, curves[0].parameters[1:])
-    yield f"Separatrices of the limit map at -cos θ = {c}, ratio {ratio}"
+    where = line_of(curves[0].parameters, of_one=False)
+    yield f"Separatrices of the limit map at {where}"
     yield ""
     rows: list[tuple[str, ...]] = [("r", "f(0)", "φ⁺, where f = 0", "saddle: q", "u")]
     rows += [_curve_row(found) for found in curves]

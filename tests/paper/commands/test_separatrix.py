@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from hashlib import sha256
 from itertools import pairwise
@@ -14,7 +14,7 @@ import pytest
 from verify import check
 from verify.language.argument import Chapter, Line
 from verify.language.statement import PROVED, Applies
-from verify.language.terms import Claim
+from verify.language.terms import Claim, as_term
 from verify.paper.commands import pages, separatrix
 from verify.paper.commands.pages import argument
 from verify.paper.commands.regenerate import is_right_statement
@@ -28,13 +28,18 @@ F = Fraction
 Json = dict[str, Any]
 
 
-def point(r: str, c: str, ratio: str, q: str, digits: int = 4) -> separatrix.PointParameters:
-    found = separatrix.point_of(enclose(Parameters(F(r), F(c), F(ratio)), F(q), digits, 10**6))
+def point(
+    r: str, c: str, ratio: str, q: str, digits: int = 4, balls: tuple[str, ...] = ()
+) -> separatrix.PointParameters:
+    numbers = [tuple(map(F, each.split())) for each in balls]
+    parameters = Parameters(F(r), F(c), F(ratio), *numbers)
+    found = separatrix.point_of(enclose(parameters, F(q), digits, 10**6))
     assert found is not None
     return found
 
 
 HONEST = ("3/100", "1", "2", "1/10")
+UNLIKE = ("1 5 1/2", "1/2 1 1/4")
 
 # --- the theorem ----------------------------------------------------------------------------------
 
@@ -92,6 +97,30 @@ def test_a_point_is_certified(at: tuple[str, str, str, str]) -> None:
     assert is_right_statement(content)
 
 
+@pytest.mark.parametrize("q", ["0", "1/10", "3"])
+def test_a_point_of_unlike_balls_is_certified(q: str) -> None:
+    outcome = separatrix.decide_value(point("3/100", "1", "2", q, balls=UNLIKE))
+    assert outcome.verdict == PROVED
+    assert is_right_statement(write(outcome)["statement.json"])
+
+
+@pytest.mark.parametrize("name", separatrix.BALLS)
+def test_a_lie_about_a_ball_is_refused(name: str) -> None:
+    files = write(separatrix.decide_value(point(*HONEST, balls=UNLIKE)))
+    for factor in (F(9, 10), F(11, 10)):
+        old = F(json.loads(files["statement.json"])["parameters"][name])
+        assert lied(files, parameter(name, str(old * factor))).verdict == "REFUSED"
+
+
+def test_equal_balls_have_no_second_statement() -> None:
+    """Their parameters are the six of a point."""
+    given = point(*HONEST, balls=("2 2 2", "3 3 3"))
+    statement = separatrix.point_outcome(given).statement
+    assert [*statement.parameters] == [*separatrix.NAMES]
+    more = {**statement.parameters, **{name: as_term(2) for name in separatrix.BALLS}}
+    assert separatrix.read_point(more) is None
+
+
 def test_the_value_is_the_known_one() -> None:
     found = point("3/100", "1", "1", "1/10", 12)
     assert F("0.051778562761854") <= found.least < found.most <= F("0.051778562761856")
@@ -107,7 +136,11 @@ def test_many_digits_have_a_certificate() -> None:
 
 def changed(at: tuple[str, str, str, str], change: Callable[[Json], None]) -> check.Report:
     """What the checker says after a change of the statement, to which the certificate is tied."""
-    files = write(separatrix.decide_value(point(*at)))
+    return lied(write(separatrix.decide_value(point(*at))), change)
+
+
+def lied(files: Mapping[str, bytes], change: Callable[[Json], None]) -> check.Report:
+    """The same of files."""
     statement, certificate = (json.loads(files[f"{n}.json"]) for n in ("statement", "certificate"))
     change(statement)
     first = json.dumps(statement).encode()

@@ -25,7 +25,7 @@ from verify.language.statement import (
     Obligation,
     Statement,
 )
-from verify.language.terms import Claim, Number, Term, as_term, symbol
+from verify.language.terms import Claim, Number, Term, as_term, sqrt, symbol
 from verify.paper.commands.pages import cite, statement
 from verify.prover.decimals import exact_number, round_decimal
 from verify.prover.ground import Ground
@@ -38,6 +38,7 @@ from verify.spheres.limit_map import (
     beyond,
     direction,
     has_separatrix,
+    root_ends,
 )
 from verify.spheres.separatrix import Separatrix, staircase
 from verify.spheres.separatrix import decide_separatrix as enclose
@@ -48,12 +49,15 @@ NAME = "separatrix"
 LABEL, THRESHOLD = "SSSCT3.4.2LineaZhou-Kadan", "EQUATSS3.4ZKCl2CondiStabi"
 POINT = "separatrix-point"
 GLUE = "glue-point"
-#: The parameters of a point; the last two bound f(q).
+#: The parameters of a point; the last two bound f(q). Those of balls that differ come after them.
 NAMES = ("r", "c", "ratio", "q", "least", "most")
+BALLS = ("m_0", "m_1", "m_2", "R_0", "R_1", "R_2")
 #: Digits of the numbers along an orbit, beyond those of f, and how often they are doubled.
 MORE_DIGITS, DOUBLINGS = 8, 5
 #: The numbers in a step are multiplied; so many times their bits evaluate it without loss.
 FACTORS = 48
+#: Roots in the parameters are rounded at so many times the digits of an orbit.
+ROOT_BITS = 8
 #: The committed point.
 STORED = Parameters(Fraction(3, 100), Fraction(1), Fraction(1)), Fraction(1, 10)
 STORED_DIGITS, STORED_STEPS = 12, 10**6
@@ -75,17 +79,22 @@ class PointParameters(Record):
     @property
     def values(self) -> dict[str, Fraction]:
         """By their names in the statement."""
-        return dict(zip(NAMES, (*self.of, *self[1:]), strict=True))
+        found = dict(zip(NAMES, (*self.of[:3], *self[1:]), strict=True))
+        balls = zip(BALLS, (*self.of.masses, *self.of.radii), strict=True)
+        return found | dict(balls) if self.of.is_unlike else found
 
 
 def read_point(parameters: Mapping[str, Term]) -> PointParameters | None:
     """The point whose parameters these are; None if they are those of no point."""
-    if {*parameters} != {*NAMES} or any(t.op != "rational" for t in parameters.values()):
+    names = [*NAMES, *BALLS] if "m_0" in parameters else [*NAMES]
+    if {*parameters} != {*names} or any(t.op != "rational" for t in parameters.values()):
         return None
-    r, c, ratio, *rest = (parameters[name].value for name in NAMES)
-    if not (0 < r < 1 and 0 < c <= 1 and ratio > 0 and rest[0] >= 0):
+    r, c, ratio, q, least, most, *of_balls = (parameters[name].value for name in names)
+    if not (0 < r < 1 and 0 < c <= 1 and ratio > 0 and q >= 0 and all(x > 0 for x in of_balls)):
         return None
-    return PointParameters(Parameters(r, c, ratio), *rest)
+    balls = (tuple(of_balls[:3]), tuple(of_balls[3:])) if of_balls else ()
+    found = PointParameters(Parameters(r, c, ratio, *balls), q, least, most)
+    return found if found.of.is_unlike or not of_balls else None
 
 
 def point_of(found: Separatrix) -> PointParameters | None:
@@ -106,10 +115,15 @@ def _short(value: Fraction, digits: int, up: bool) -> Fraction:
 
 
 class Orbit:
-    """An orbit of the map in short rational numbers, each image rounded up, or each down."""
+    """An orbit of the map in short rational numbers, each image rounded up, or each down.
+
+    Images fall as a grows, and grow with the ratio: the end of each is taken that makes them so.
+    """
 
     def __init__(self, of: Parameters, digits: int, up: bool) -> None:
-        self.r, self.a, self.ratios = of.r, of.a, (of.ratio, 1 / of.ratio)
+        squares = of.square_a, of.square_rho, 1 / of.square_rho
+        a, *ratios = (root_ends(square, ROOT_BITS * digits) for square in squares)
+        self.r, self.a, self.ratios = of.r, a[not up], tuple(ends[up] for ends in ratios)
         self.digits, self.up = digits, up
 
     def steps(self, q: Fraction, u: Fraction) -> Iterator[Step]:
@@ -169,9 +183,18 @@ def _direction(steps: list[Step]) -> int:
 
 # --- the statement --------------------------------------------------------------------------------
 
-POINT_GLUE = Assumption(GLUE, LABEL,
+#: The letters of the map: of equal balls, and of others.
+LETTERS = (
     "The limit map is that of the theorem that is cited, with a = (1+r)/2 c and σ = 1/ρ; c is -cos "
-    "θ. The second state of each row is the first one of the next row. By the rows of its context "
+    "θ. "
+)
+LETTERS_OF_BALLS = (
+    "The limit map is that of the theorem that is cited, with the a, ρ and σ below; c is -cos θ, "
+    "the ratio is |W_1|²/|W_2|², ball 1 has just collided with 0, and 2 is next. Its q is the "
+    "normal speed of 0-1 over that of 0-2, times the root in ρ. "
+)
+POINT_GLUE = (
+    "The second state of each row is the first one of the next row. By the rows of its context "
     "below, the orbit of (q, least) lies below the states in "
     "below-1, below-2, …, one after the other. By below-falls the last one is below the one before "
     "the last two collisions: by the same rows, again and again, the orbit stays below "
@@ -182,7 +205,14 @@ POINT_GLUE = Assumption(GLUE, LABEL,
     "z. If the collisions of (q, u) never ended, z and its image after two collisions would be in "
     "K, and z in the regime, by glue-regime; but by above-x-above and above-v-above u would be at "
     "least that of z after every two collisions. So f(q) ≤ most. "
-    "With beyond or flat in their place, f(q) = 0 by glue-none.", "numbered glue")  # fmt: skip
+    "With beyond or flat in their place, f(q) = 0 by glue-none."
+)
+
+
+def glue(point: PointParameters) -> Assumption:
+    """What is believed of a point beside its rows."""
+    letters = LETTERS_OF_BALLS if point.of.is_unlike else LETTERS
+    return Assumption(GLUE, LABEL, letters + POINT_GLUE, "numbered glue")
 
 
 def decide_value(point: PointParameters) -> Outcome:
@@ -220,9 +250,9 @@ def point_outcome(point: PointParameters) -> Outcome:
     rows, digits = _rows(point)
     parameters = {name: as_term(value) for name, value in point.values.items()}
     given = [Constant(name, name, name, "", x) for name, x in parameters.items()]
-    constants = _constants()
+    constants = _constants(point)
     statement = Statement(
-        POINT, _title(point), parameters, constants, (), tuple(rows), (POINT_GLUE,), (cite(NAME),)
+        POINT, _title(point), parameters, constants, (), tuple(rows), (glue(point),), (cite(NAME),)
     )
     session = Session()
     ground = Ground(session)
@@ -243,20 +273,32 @@ def point_outcome(point: PointParameters) -> Outcome:
     return Outcome(statement, decisions, tuple(session.steps), enclosures)
 
 
-def _constants() -> tuple[Constant, ...]:
+def _constants(point: PointParameters) -> tuple[Constant, ...]:
     r, c, ratio = map(symbol, NAMES[:3])
+    if not point.of.is_unlike:
+        return (
+            Constant("a", "a", "a", LABEL, (1 + r) * c / 2),
+            Constant("sigma", "σ", r"\sigma", LABEL, 1 / ratio),
+        )
+    m0, m1, m2, middle, last, after = map(symbol, BALLS)
+    shares = m1 * m2 / ((m0 + m1) * (m0 + m2))
+    scale = m1 * (m0 + m2) / (m2 * (m0 + m1))
+    rho = ratio * (middle + after) / (middle + last) * sqrt(scale)
     return (
-        Constant("a", "a", "a", LABEL, (1 + r) * c / 2),
-        Constant("sigma", "σ", r"\sigma", LABEL, 1 / ratio),
+        Constant("a", "a", "a", LABEL, (1 + r) * c * sqrt(shares)),
+        Constant("rho", "ρ", r"\rho", LABEL, rho),
+        Constant("sigma", "σ", r"\sigma", LABEL, 1 / symbol("rho")),
     )
 
 
 def _title(point: PointParameters) -> str:
-    r, c, ratio, q, least, most = (
+    r, c, ratio, q, least, most, *balls = (
         exact_number(x, max(12, len(str(x.numerator * x.denominator))))
         for x in point.values.values()
     )
     where = f"at r = {r}, -cos θ = {c}, ratio {ratio}"
+    if balls:
+        where += f", masses {', '.join(balls[:3])}, radii {', '.join(balls[3:])}"
     if not point.most:
         return f"The separatrix of the limit map {where}: f({q}) = 0"
     return f"The separatrix of the limit map {where}: f({q}) lies between {least} and {most}"
@@ -279,7 +321,7 @@ def _rows(point: PointParameters) -> tuple[list[Obligation], int]:
     if at_zero and beyond(point.of, point.q):
         says = "q ≥ φ⁺: no orbit from there goes on for ever"
         digits = sum(len(str(x)) for x in point.values.values())
-        return [_applied("beyond", says, "beyond", 0, {"F": symbol("q")})], digits
+        return [_applied(point, "beyond", says, "beyond", 0, {"F": symbol("q")})], digits
     return _orbit_rows(point)
 
 
@@ -288,30 +330,30 @@ def _orbit_rows(point: PointParameters) -> tuple[list[Obligation], int]:
     for _ in range(DOUBLINGS):
         low, high = (_followed(point, digits, up=up) for up in (True, False))
         if low is not None and high is not None:
-            rows = [*_below(low), *_above(point, high)]
+            rows = [*_below(point, low), *_above(point, high, digits)]
             longest = max(len(str(x)) for x in point.values.values())
             return rows, longest + digits
         digits *= 2
     raise TooLongError
 
 
-def _below(steps: list[Step]) -> Iterator[Obligation]:
+def _below(point: PointParameters, steps: list[Step]) -> Iterator[Obligation]:
     state: tuple[Number, ...] = symbol("q"), symbol("least")
     for number, step in enumerate(steps, 1):
         says = f"the state after {number} collisions of (q, least) lies below the second one"
         at = dict(zip("QUXV", (*state, *step[3:]), strict=True))
-        yield _applied(f"below-{number}", says, "up", number - 1, at)
+        yield _applied(point, f"below-{number}", says, "up", number - 1, at)
         state = step[3:]
     says = "and not above the one two collisions before"
     yield from _compared("below-falls", says, steps[-1][3:], steps[-2][1:3])
 
 
-def _above(point: PointParameters, steps: list[Step]) -> Iterator[Obligation]:
+def _above(point: PointParameters, steps: list[Step], digits: int) -> Iterator[Obligation]:
     state: tuple[Number, ...] = symbol("q"), symbol("most")
     for number, step in enumerate(steps, 1):
         says = f"the state after {number} collisions of (q, u), u ≥ most, lies above the second one"
         at = dict(zip("QUXV", (*state, *step[3:]), strict=True))
-        yield _applied(f"above-{number}", says, "down", number - 1, at)
+        yield _applied(point, f"above-{number}", says, "down", number - 1, at)
         state = step[3:]
     if _direction(steps) > 0:
         says = "and not below the one two collisions before"
@@ -319,11 +361,12 @@ def _above(point: PointParameters, steps: list[Step]) -> Iterator[Obligation]:
         says = "and it is another state"
         yield _row("above-rises", says, as_term(sum(steps[-2][1:3])) < sum(steps[-1][3:]))
         return
-    rho = point.of.ratio if len(steps) % 2 == 0 else 1 / point.of.ratio
+    orbit = Orbit(point.of, digits, up=False)
     q, u = steps[-1][3:] if steps else (point.q, point.most)
-    ends = "parted" if point.of.a * (1 - u) - q - rho * u <= 0 else "missed"
+    left = orbit.a * (1 - u) - q - orbit.ratios[len(steps) % 2] * u
+    ends = "parted" if left <= 0 else "missed"
     says = "and after that there is no collision"
-    yield _applied("above-end", says, ends, len(steps), dict(zip("QU", state, strict=True)))
+    yield _applied(point, "above-end", says, ends, len(steps), dict(zip("QU", state, strict=True)))
 
 
 def _compared(name: str, says: str, low: State, high: State) -> Iterator[Obligation]:
@@ -332,10 +375,15 @@ def _compared(name: str, says: str, low: State, high: State) -> Iterator[Obligat
 
 
 def _applied(
-    name: str, says: str, context: str, number: int, at: Mapping[str, Number]
+    point: PointParameters,
+    name: str,
+    says: str,
+    context: str,
+    number: int,
+    at: Mapping[str, Number],
 ) -> Obligation:
     """The row that a context applies after so many collisions, to r, a, the ratio and numbers."""
-    ratios = (symbol("ratio"), symbol("sigma"))
+    ratios = (symbol("rho" if point.of.is_unlike else "ratio"), symbol("sigma"))
     known: dict[str, Number] = {"r": symbol("r"), "a": symbol("a"), "rho": ratios[number % 2]}
     known |= {"sigma": ratios[1 - number % 2], **at}
     names = [variable.name for variable in _contexts()[context].variables]

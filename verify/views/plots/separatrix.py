@@ -24,6 +24,7 @@ from verify.views.plots.shapes import (
     Words,
     round_marks,
 )
+from verify.views.separatrix import line_of
 
 #: What the spheres know of a separatrix, and of its curve at a place.
 Separatrix = Any
@@ -50,20 +51,16 @@ def strip_panel(found: Separatrix, strips: Sequence[CurveAt]) -> Panel:
     """The certified areas below and above the curve, the strip between them, and its points."""
     high = max(phi_2(strip.high) for strip in strips)
     right = max(strip.q for strip in strips)
-    told = f"Below the curve at {_title(found)} the collisions go on for ever, above it they end."
+    where = line_of(found.parameters)
+    told = f"Below the curve at {where} the collisions go on for ever, above it they end."
     x, y = _scale("φ₁", right), _scale("", Fraction(high) * Fraction(6, 5))
     return Panel(UP, x, y, lambda: _strip(found, strips, y.high), told, WIDTH, HEIGHT)
-
-
-def _title(found: Separatrix) -> str:
-    r, c, ratio = map(exact_number, found.parameters)
-    return f"r = {r}, -cos θ = {c}, ratio {ratio}"
 
 
 def strip_svg(found: Separatrix, strips: Sequence[CurveAt]) -> str:
     """The same as a file."""
     panel = strip_panel(found, strips)
-    return standalone(svg("separatrix", [panel], panel.told, [_title(found)]))
+    return standalone(svg("separatrix", [panel], panel.told, [line_of(found.parameters)]))
 
 
 def figure(found: Separatrix, strips: Sequence[CurveAt]) -> Figure:
@@ -72,7 +69,7 @@ def figure(found: Separatrix, strips: Sequence[CurveAt]) -> Figure:
     ends = low * (2 - low) / 2, high * (2 - high) / 2
     saddle = f"φ₁ = {short(q, 8)} and φ₂|W_c|² = {short(ends, 8)}"
     caption = (
-        f"{_title(found)}. In every state of the hatched area the collisions "
+        f"{line_of(found.parameters)}. In every state of the hatched area the collisions "
         "never end, in every state above it they end (both are proved); the curve lies in the thin "
         f"steps between them. On the axis are φ⁻ = {short(minus, 8)}, where orbits below the curve "
         f"go, and φ⁺ = {short(plus, 8)}, where the curve ends. Orbits on it go to the saddle, "
@@ -104,7 +101,7 @@ def _cycle(found: Separatrix, top: float) -> Iterator[Shape]:
     if found.cycle:
         (low, high), u = found.cycle[:2]
         at = float((low + high) / 2), phi_2(sum(u) / 2)
-        name = "saddle" if found.parameters.ratio == 1 else "saddle of period two"
+        name = "saddle" if found.is_steady else "saddle of period two"
         yield Curve([at], "ink", 1)
         yield Words((at[0] + 0.02, at[1] + 0.04 * top), name)
 
@@ -112,9 +109,9 @@ def _cycle(found: Separatrix, top: float) -> Iterator[Shape]:
 def curves_svg(curves: Sequence[tuple[Separatrix, Sequence[CurveAt]]]) -> str:
     """How the curve moves with r; where there is none, nothing is drawn."""
     drawn = [(found, strips) for found, strips in curves if strips]
-    c, ratio = (exact_number(x) for x in curves[0][0].parameters[1:])
+    where = line_of(curves[0][0].parameters, of_one=False)
     first, last = (exact_number(found.parameters.r) for found, _ in (curves[0], curves[-1]))
-    title = f"r from {first} (top) to {last}, -cos θ = {c}, ratio {ratio}"
+    title = f"r from {first} (top) to {last}, {where}"
     none = ", ".join(exact_number(found.parameters.r) for found, strips in curves if not strips)
     heading = [title, *([f"no curve at r = {none}"] if none else [])]
     right = max((strip.q for _, strips in drawn for strip in strips), default=Fraction(1))

@@ -370,6 +370,20 @@ def test_what_lies_in_the_folder_of_citations(
     assert captured.err.count("\n") == 1
 
 
+@pytest.mark.parametrize(
+    "text", ['{"format": "verify-statement/2"}', '{"format": "verify-statement/2", "cites": 1}']
+)
+def test_a_cited_statement_that_cannot_be_read(
+    text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Also beside a page that cites nothing."""
+    (tmp_path / "cited").mkdir()
+    (tmp_path / "cited/j.json").write_text(text)
+    (tmp_path / "p.toml").write_text('title = "t"\n[rows]\nr = "1 < 2"')
+    assert main(["prove", str(tmp_path / "p.toml")]) == 2
+    assert "cited: a statement there cannot be read" in capsys.readouterr().err
+
+
 def test_names_like_those_of_lemmas(tmp_path: Path) -> None:
     document = with_rows(["<=", "2", ["add", "x", ["div", "1", "x"]]], ["<=", "0", "x"])
     for i, name in enumerate(("l.1", "u.1")):

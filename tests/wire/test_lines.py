@@ -330,3 +330,10 @@ def test_the_command_and_the_library(tmp_path: Path) -> None:
     assert verify.prove_page(path, work=WORK).verdict == REFUTED
     with pytest.raises(InputError, match="prove_page"):
         verify.read_page(path)
+
+
+@pytest.mark.parametrize("place", ['["other"]', "3", '{ a = "other" }'])
+def test_a_line_is_in_a_context_that_has_a_name(place: str) -> None:
+    more = f'[[chapters]]\n[chapters.rows]\nline = {{ claim = "t < 1", in = {place} }}\n'
+    with pytest.raises(InputError, match="is no context"):
+        read_page("p.toml", (PAGE + more).encode())

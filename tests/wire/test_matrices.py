@@ -10,7 +10,7 @@ import sympy
 
 from tests.paper.spectrum.test_rows import to_sympy
 from verify.language.argument import Line
-from verify.language.statement import PROVED
+from verify.language.statement import PROVED, UNDECIDED
 from verify.language.terms import Claim, Term
 from verify.wire.inputs import InputError
 from verify.wire.questions import decide
@@ -193,3 +193,26 @@ def test_a_page_that_would_take_long_is_refused(text: str) -> None:
     with pytest.raises(InputError):
         read_page("p.toml", f'title = "t"\n{text}'.encode())
     assert time.process_time() - begin < 6
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "det([[0, log(-x)], [0, 1]]) = 0",
+        "[0, 1]*[log(-x), 1] = 1",
+        "form([0, 0], [[log(-x), 1], [1, 1]], [0, 0]) = 0",
+        "(0*[log(-x), 2])[1] = 0",
+        "([0, 1]/log(-x))[1] = 0",
+        "first(3, log(-x)) = 3",
+        "sum(sqrt(-x)^k, k, 0, 0) = 1",
+        "prod(k/(x - x), k, 0, 2) = 0",
+    ],
+)
+def test_what_has_no_value_stays(claim: str) -> None:
+    """A factor 0 takes nothing away that has no value; x is positive."""
+    asked = page(
+        '"first(a, b)" = "a"', f'first(1, x) = 1", in = "c" }}\nother = {{ claim = "{claim}'
+    )
+    first, other = decide(asked.statement).decisions.values()
+    assert first.verdict == PROVED
+    assert other.verdict == UNDECIDED

@@ -6,9 +6,10 @@ from random import Random
 
 import pytest
 
+from verify.language.statement import PROVED
 from verify.prover.budget import WorkBudget
 from verify.wire.inputs import InputError
-from verify.wire.questions import read_page_of
+from verify.wire.questions import decide_page, read_page_of
 from verify.wire.text import points
 
 
@@ -37,3 +38,35 @@ def test_half_of_the_time_is_for_points(monkeypatch: pytest.MonkeyPatch) -> None
     assert short <= 25_000
     assert short < longer <= 100_000
     assert longer < unlimited
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        '"a > 10^6*b", "b > 10^6*x", "x > 10^6"',
+        '"a > 0", "a < 1e-9*b", "b < 1e-9", "x = 0"',
+        '"a < b - 1e8", "a^2 < 4", "x = 0"',
+        '"a^2 + b^2 <= 1e-12", "a > b", "b > 0", "x = 0"',
+        '"a^2 > 1000*a", "a > 0", "b = x", "x = 0"',
+        '"a^3 = 2", "b^5 = -7", "x^4 = 3"',
+        '"a < b", "b < a + 1e-30", "x = 0"',
+    ],
+)
+def test_easy_points_of_any_size_are_found(given: str) -> None:
+    """Near equality exact numbers decide, not floats."""
+    page = (
+        f'title = "t"\n[contexts.c]\nvariables = "a b x"\ngiven = [{given}]\n[rows]\nr = "a = a"\n'
+    )
+    outcome = decide_page(read_page_of("a.toml", page.encode(), {}), WorkBudget())
+    assert outcome.verdict == PROVED
+
+
+@pytest.mark.parametrize(
+    "given", ['"a < b", "b < a + 1e-30", "a > b - 1e-31", "x > 2*b - 2*a + x"']
+)
+def test_a_point_that_only_seems_to_be_one_is_none(given: str) -> None:
+    page = (
+        f'title = "t"\n[contexts.c]\nvariables = "a b x"\ngiven = [{given}]\n[rows]\nr = "a = a"\n'
+    )
+    with pytest.raises(InputError, match=r"contradict each other|no point was found"):
+        read_page_of("a.toml", page.encode(), {})

@@ -36,15 +36,14 @@ from verify.wire.inputs import InputError
 from verify.wire.questions import decide, read_questions
 from verify.wire.text.infix import (
     Names,
-    claim_text,
     read_claims,
     read_givens,
     read_term,
-    term_text,
 )
 from verify.wire.text.letters import letter_of
 from verify.wire.text.read_page import read_page
 from verify.wire.text.write_page import page_text
+from verify.wire.text.written import claim_text, term_text
 from verify.wire.write import write
 
 CERTIFICATES = Path(__file__).resolve().parents[2] / "certificates"
@@ -400,7 +399,11 @@ def test_an_induction() -> None:
         ('"y < d"', '"y"', "line 23: rows.smaller: 'y' claims nothing; write for example y > 0"),
         ('"y < d"', '"0 < y > d"', "a chain has < and > in it"),
         ('"y < d"', '"y < high.x"', "its names are of the contexts inner and high, of which none"),
-        ('"y < d"', '"x < d"', "'x' is a name of the context low and of high; say in which by"),
+        (
+            '"y < d"',
+            '"x < d"',
+            "'x' is a name of the context low and of high; say in which by in = \"low\"",
+        ),
         ('"1 < x"', '"1 < y"', "'y' is a name of the context inner; write in = \"inner\""),
         ('in = "low"', 'in = "lo"', "line 14: contexts.inner.in: 'lo' is no context; did you mean"),
         ('in = "high",', 'inn = "high",', "rows.high-x.inn: 'inn' is not known here; did you mean"),

@@ -61,7 +61,10 @@ def run(options: Options) -> int:
         content = read_bytes("STATEMENT", options.STATEMENT)
     cited = _cited(options.STATEMENT)
     test_folder("--out", options.out, "statement.json", "certificate.json")
-    page = read_page_of(options.STATEMENT, content, cited, seconds)
+    try:
+        page = read_page_of(options.STATEMENT, content, cited, seconds)
+    except RecursionError as error:
+        raise _too_deep(options.STATEMENT) from error
     statement = _chosen(page.statement, options.rows)
     if options.rows is not None:
         page = page.with_rows(statement.obligations)
@@ -72,12 +75,9 @@ def run(options: Options) -> int:
     budget.watch = Steps(len(statement.obligations))
     try:
         outcome = decide_page(page, budget)
-    except TooDeepError as error:
-        if options.STATEMENT.endswith(".json"):
-            raise
+    except (TooDeepError, RecursionError) as error:
         # The checker counts brackets of the statement that is made of a page.
-        path = shown(options.STATEMENT)
-        raise InputError(f"{path}: a term nests too deeply; name its parts") from error
+        raise _too_deep(options.STATEMENT) from error
     if options.out is not None:
         from verify.cli.prove_folder import write  # loaded only where it is used
 
@@ -91,6 +91,10 @@ def run(options: Options) -> int:
         print("verify: interrupted", file=sys.stderr)
         return INTERRUPTED
     return outcome.exit_code
+
+
+def _too_deep(path: str) -> InputError:
+    return InputError(f"{shown(path)}: a term nests too deeply; name its parts")
 
 
 def _publication(outcome: Outcome) -> Publication:

@@ -175,7 +175,7 @@ def _drawing(kind: str, found: Fate, limits: Budget) -> str:
         if more.collapse is None:
             more = found
         return scene_svg(told(more)._replace(lines=told(found).lines), list(steps(more)))
-    except (OverflowError, ZeroDivisionError) as error:
+    except (OverflowError, ZeroDivisionError, ValueError) as error:  # also not a number
         raise InputError(
             "--plot: numbers of this scene are too large or too small to draw; leave it out"
         ) from error

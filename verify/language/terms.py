@@ -6,14 +6,17 @@ Numbers enter as integers or fractions. A float is refused, because it is alread
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import reduce
 from math import prod
 
 from verify.language.record import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from typing import Any
+    from typing import Any, TypeVar
+
+    Part = TypeVar("Part")
 
 RELATIONS = ("<", "<=", "=")
 
@@ -268,6 +271,23 @@ def minimum(*numbers: Number) -> Term:
 def maximum(*numbers: Number) -> Term:
     """The greatest of at least two numbers."""
     return Term("max", *map(as_term, numbers))
+
+
+#: More parts than this are joined to a tree.
+LONG = 150
+
+
+def in_tree(parts: Sequence[Part], join: Callable[[Part, Part], Part]) -> Part:
+    """Parts joined, each with its neighbour, to a tree of small height; there is at least one."""
+    while len(parts) > 1:
+        pairs = [join(*pair) for pair in zip(parts[::2], parts[1::2], strict=False)]
+        parts = [*pairs, *parts[len(pairs) * 2 :]]
+    return parts[0]
+
+
+def joined(parts: Sequence[Part], join: Callable[[Part, Part], Part]) -> Part:
+    """Parts joined from the left, as they are written; very many in a tree of small height."""
+    return reduce(join, parts) if len(parts) <= LONG else in_tree(parts, join)
 
 
 def cos(radians: Number) -> Term:

@@ -15,7 +15,7 @@ from math import comb
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from verify.language.terms import FUNCTIONS, Claim, Term, as_term
+from verify.language.terms import FUNCTIONS, Claim, Term, as_term, in_tree
 from verify.prover.balls import fmpq_of, fraction_of
 from verify.prover.session import ZERO
 
@@ -291,7 +291,7 @@ def coefficients(polynomial: Polynomial, index: int) -> dict[int, Polynomial]:
 def expanded(polynomial: Polynomial, atoms: Sequence[Term]) -> Term:
     """A polynomial as a sum of products of atoms, one for each variable of its ring."""
     parts = [_monomial(m, value, atoms) for m, value in polynomial.to_dict().items()]
-    return _balanced(parts, operator.add) if parts else as_term(0)
+    return in_tree(parts, operator.add) if parts else as_term(0)
 
 
 def _monomial(exponents: tuple[int, ...], value: fmpq, atoms: Sequence[Term]) -> Term:
@@ -303,15 +303,7 @@ def _monomial(exponents: tuple[int, ...], value: fmpq, atoms: Sequence[Term]) ->
     ]
     if number != 1 or not factors:
         factors.insert(0, as_term(number))
-    return _balanced(factors, operator.mul)
-
-
-def _balanced(terms: list[Term], operation: Callable[[Term, Term], Term]) -> Term:
-    """Terms put together in a tree of small height."""
-    while len(terms) > 1:
-        pairs = [operation(a, b) for a, b in zip(terms[::2], terms[1::2], strict=False)]
-        terms = pairs + terms[len(pairs) * 2 :]
-    return terms[0]
+    return in_tree(factors, operator.mul)
 
 
 def divisors(term: Term) -> Iterator[Term]:

@@ -38,6 +38,10 @@ def minimum_of(outcome: Outcome, constant: Constant) -> Minimum:
         run = machine.run(inputs)
         values = [run[entry] for entry in entries]
         ends = [None if value is None else _rounded(balls.ends(value)) for value in values]
+    ends = [
+        ends_of(outcome, entry.name) if entry.op == "symbol" else found
+        for entry, found in zip(entries, ends, strict=True)
+    ]
     return Minimum(ends, _least(ends))
 
 

@@ -300,8 +300,15 @@ def _claims(statement: Statement, steps: Sequence[Step]) -> Outcome:
 def _cites(cited: Mapping[str, bytes]) -> tuple[Cite, ...]:
     if not cited:
         return ()
-    from verify.wire.read import cites_of  # loaded only where it is used
+    from verify.wire.read import cites_of, statements_among  # loaded only where they are used
 
+    for content in statements_among(cited).values():
+        try:
+            document = check.parsed("statement", content, check.STATEMENT)
+            check.Reader(check.Kernel(), cited).read(document)
+        except (check.Malformed, check.Refused, RecursionError) as error:
+            told = f"{error!s:.200}; make it anew, or take it away"
+            raise InputError(f"cited: a statement there cannot be read: {told}") from error
     return cites_of(cited)
 
 

@@ -127,17 +127,23 @@ def cites_of(cited: Mapping[str, bytes]) -> tuple[Cite, ...]:
         WireError: for a statement that cites what is not there.
     """
     found = []
-    for digest, content in cited.items():
-        document = _document(content)
-        if document.get("format") != STATEMENT_FORMAT:
-            continue
-        theorem = document.get("theorem")
+    for digest, content in statements_among(cited).items():
+        theorem = _document(content).get("theorem")
         try:
             item = {"name": theorem, "theorem": theorem, "statement_sha256": digest}
             found.append(_cite(item, cited))
         except (KeyError, TypeError) as error:
             raise WireError(f"the cited statement {theorem!r:.40} lacks {error!s:.80}") from error
     return tuple(found)
+
+
+def statements_among(cited: Mapping[str, bytes]) -> dict[str, bytes]:
+    """Those of some files that say they are statements, by their digests."""
+    return {
+        digest: content
+        for digest, content in cited.items()
+        if _document(content).get("format") == STATEMENT_FORMAT
+    }
 
 
 def _document(content: bytes) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from collections.abc import Callable, Sequence
 from verify.language.argument import Value
 from verify.language.terms import MAX_EXPONENT, Term
 from verify.wire.inputs import InputError, shown
-from verify.wire.text.infix import term_text
+from verify.wire.text.written import term_text
 
 GOAL = "goal"
 #: What is at least 0 for any term, and for a root.

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from itertools import combinations, pairwise
+from operator import add, mul, sub
 
 from verify.language import terms
 from verify.language.record import Record
@@ -117,16 +118,18 @@ def real(term: Term) -> Real:
 def _minus(*parts: Term) -> Term:
     """The difference; a number with a minus sign is one number."""
     if len(parts) > 1:
-        return reduce(lambda x, y: x - y, parts)
+        if len(parts) > terms.LONG:
+            return parts[0] - _plus(*parts[1:])
+        return reduce(sub, parts)
     return as_term(-parts[0].value) if parts[0].op == "rational" else -parts[0]
 
 
 def _plus(*parts: Term) -> Term:
-    return reduce(lambda x, y: x + y, parts)
+    return terms.joined(parts, add)
 
 
 def _times(*parts: Term) -> Term:
-    return reduce(lambda x, y: x * y, parts)
+    return terms.joined(parts, mul)
 
 
 def _over(above: Term, below: Term) -> Term:

@@ -1,4 +1,4 @@
-"""One formula as people write it, read and written: ``0 <= x^2 - 2*a*x + sqrt(b) < 1/4``.
+"""One formula as people write it, read: ``0 <= x^2 - 2*a*x + sqrt(b) < 1/4``.
 
 A number is exactly what is written: ``0.1`` is 1/10, and ``1/4`` is one rational number, while
 ``1/(4)`` divides 1 by 4. A power binds more tightly than a minus sign before it, and that more
@@ -10,11 +10,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from itertools import accumulate, starmap
+from itertools import accumulate
 from types import MappingProxyType
 from typing import Any
 
-from verify.language.fold import fold
 from verify.language.record import TYPE_CHECKING, Record
 from verify.language.terms import (
     FUNCTIONS,
@@ -26,9 +25,12 @@ from verify.language.terms import (
     any_of,
     as_term,
     exp,
+    in_tree,
+    joined,
     log,
     names_of,
     nth_root,
+    parts_of,
     pi,
     sqrt,
     symbol,
@@ -44,11 +46,13 @@ from verify.wire.text.matrices import (
     added,
     determinant,
     form,
+    has_value,
     negative,
     over,
     size_of,
     table_of,
     times,
+    times_zero,
 )
 
 if TYPE_CHECKING:
@@ -63,16 +67,12 @@ _TOKEN = re.compile(
     rf"|`(?P<quoted>[^`]+)`|(?P<name>{_NAME})|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
     r"|(?P<sign><=|>=|==|!=|\*\*|[-+*/^()<>=,|[\]√≤≥⩽⩾≠·⋅×−]))"
 )
-#: A name that needs no quotation marks.
-PLAIN = re.compile(r"(?:[A-Za-z]\w*:)*[A-Za-z]\w*(?:\.\w+)*", re.ASCII)
 _SAME = dict(
     pair.split()
     for pair in ("≤ <=", "⩽ <=", "≥ >=", "⩾ >=", "≠ !=", "== =", "· *", "⋅ *", "× *", "− -", "** ^")
 )
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 RELATIONS = ("<", "<=", "=", ">=", ">", "!=")
-#: A decimal with so many digits behind its point is written as a fraction.
-LONGEST_DECIMAL = 20
 
 #: What may be a decimal comma, and so long a text is read again for what is meant by it.
 _DECIMAL_COMMA, MAX_MENDED = re.compile(r"[0-9],[0-9]"), 400
@@ -504,11 +504,16 @@ class _Reader:
             raise self.error(str(error)) from error
 
     def sum(self) -> Value:
-        """Products with signs between them."""
-        found = self.product()
+        """Products with signs between them; see `joined`."""
+        found = [("+", self.product())]
         while sign := self.take("+", "-"):
-            found = self.with_tables(added, found, self.product(), sign)
-        return found
+            found.append((sign, self.product()))
+        return joined(found, self._signed)[1]
+
+    def _signed(self, one: tuple[str, Value], other: tuple[str, Value]) -> tuple[str, Value]:
+        """Two neighbours of a sum with their signs, as one: - b + c is -(b - c)."""
+        sign = "+" if one[0] == other[0] else "-"
+        return one[0], self.with_tables(added, one[1], other[1], sign)
 
     def product(self) -> Value:
         """Factors with signs between them."""
@@ -597,7 +602,7 @@ class _Reader:
         if exponent.op != "rational":
             return exp(exponent * log(base))
         if exponent.value == 0 and self.indices:
-            return as_term(1)
+            return as_term(1) if has_value(base) else 1 + times_zero(base)
         above, below = abs(exponent.value.numerator), exponent.value.denominator
         if below > MAX_INDEX or not 0 < above <= MAX_EXPONENT:
             raise self.error(
@@ -674,7 +679,13 @@ class _Reader:
         self.names.spent.used.add(word)
         self._spend(A_CALL + len(str(function.body)))
         names = function.names.of(dict(zip(function.parameters, values, strict=True)))
-        return read_entries(function.place, function.body, names)
+        found = read_entries(function.place, function.body, names)
+        for value in values:  # one that is not used has a value, too
+            if isinstance(value, Term) and not has_value(value) and isinstance(found, Term):
+                parts = {*parts_of(found)}
+                self._spend(len(parts))
+                found = found if value in parts else found + times_zero(value)
+        return found
 
     def _function(self, word: str) -> Term:
         if word in OF_TABLES:
@@ -776,7 +787,7 @@ class _Reader:
         end = self.at
         if last < first:
             raise self.error(f"there is no number from {first} to {last}; {example}")
-        terms = []
+        terms: list[Term] = []
         for number in range(first, last + 1):
             self.terms_left -= 1
             if self.terms_left < 0:
@@ -788,10 +799,7 @@ class _Reader:
                 raise self.error(f"{self.next_word()}, and does not belong there")
         del self.indices[letter]
         self.at = end
-        while len(terms) > 1:  # a tree of small height, as long ones nest too deeply otherwise
-            pairs = zip(terms[::2], terms[1::2], strict=False)
-            terms = [*starmap(SUMS[word], pairs), *terms[len(terms) // 2 * 2 :]]
-        return terms[0]
+        return in_tree(terms, SUMS[word])
 
     def _next_comma(self) -> int:
         """Where the argument ends that begins here."""
@@ -815,84 +823,3 @@ class _Reader:
         if len(arguments) != 2 or index.denominator > 1 or not 2 <= index <= MAX_INDEX:
             raise self.error("a root has a term and an index, such as root(x, 3)")
         return nth_root(arguments[0], int(index))
-
-
-# --- writing -------------------------------------------------------------------------------------
-
-#: How tightly a text holds together, from a sum to what needs no parentheses.
-_SUM, _PRODUCT, _FACTOR, _ATOM = range(4)
-
-
-def _inside(part: tuple[str, int], level: int) -> str:
-    text, own = part
-    return text if own >= level else f"({text})"
-
-
-def _number(value: Fraction) -> tuple[str, int]:
-    text = _decimal(value)
-    if "/" in text:
-        return text, _PRODUCT
-    return text, _ATOM if value >= 0 else _FACTOR
-
-
-def _decimal(value: Fraction) -> str:
-    """A number as a fraction; if that has many digits, as the decimal that it is."""
-    for digits in range(2, LONGEST_DECIMAL) if value.denominator >= 100 else ():
-        if 10**digits % value.denominator == 0:
-            whole = str(abs(value) * 10**digits).zfill(digits + 1)
-            return f"{'-' * (value < 0)}{whole[:-digits]}.{whole[-digits:]}"
-    return str(value)
-
-
-def _sum(sign: str, left: tuple[str, int], right: tuple[str, int]) -> tuple[str, int]:
-    text = _inside(right, _PRODUCT)
-    return f"{left[0]} {sign} {f'({text})' if text.startswith('-') else text}", _SUM
-
-
-def _product(sign: str, left: tuple[str, int], right: tuple[str, int]) -> tuple[str, int]:
-    first, second = _inside(left, _PRODUCT), _inside(right, _FACTOR)
-    second = f"({second})" if second.startswith("-") else second
-    if sign == "/" and all(re.fullmatch("-?[0-9.]+", text) for text in (first, second)):
-        first = f"({first})"  # a quotient of numbers, and not one number
-    return f"{first}{sign}{second}", _PRODUCT
-
-
-def _negative(part: tuple[str, int]) -> tuple[str, int]:
-    text = _inside(part, _FACTOR)
-    return f"-({text})" if text[0] in "-0123456789" and "^" not in text else f"-{text}", _FACTOR
-
-
-def _written_name(name: str) -> tuple[str, int]:
-    taken = {*CALLED, *NUMBERS}
-    return name if PLAIN.fullmatch(name) and name not in taken else f"`{name}`", _ATOM
-
-
-def _call(op: str) -> Callable[..., tuple[str, int]]:
-    def written(*parts: tuple[str, int]) -> tuple[str, int]:
-        return f"{op}({', '.join(text for text, _ in parts)})" if parts else op, _ATOM
-
-    return written
-
-
-_TEXT: Mapping[str, Callable[..., tuple[str, int]]] = {
-    **{op: _call(op) for op in (*FUNCTIONS, *MANY, "pi")},
-    "root": lambda base, index: (f"root({base[0]}, {index})", _ATOM),
-    "rational": _number,
-    "symbol": _written_name,
-    "add": lambda left, right: _sum("+", left, right),
-    "sub": lambda left, right: _sum("-", left, right),
-    "mul": lambda left, right: _product("*", left, right),
-    "div": lambda left, right: _product("/", left, right),
-    "neg": _negative,
-    "pow": lambda base, exponent: (f"{_inside(base, _ATOM)}^{exponent}", _FACTOR),
-}
-
-
-def term_text(term: Term) -> str:
-    """The text that `read_term` reads as this term."""
-    return fold(term, _TEXT, {})[0]
-
-
-def claim_text(claim: Claim) -> str:
-    """The text that `read_claims` reads as this claim alone."""
-    return f"{term_text(claim.lhs)} {claim.relation} {term_text(claim.rhs)}"

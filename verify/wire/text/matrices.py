@@ -9,12 +9,13 @@ Sums, differences and products are those of linear algebra: ``u*v`` is the sum o
 the entries of two vectors, ``A*v`` the image of a column, and ``u*A`` that of a row. ``A[1, 2]`` is
 an entry, ``det(A)`` is expanded along the first row, and ``form(u, G, v)`` is the sum of all
 ``G[i, j]*(u[i]*v[j])``. A factor 0 or 1 of entries, and a summand that is such a product with 0,
-are not written out.
+are not written out, unless the other factor might have no value.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from functools import cache
 from math import prod
 
 from verify.language.record import Record
@@ -103,6 +104,22 @@ def table_of(rows: Sequence[Sequence[Term]], is_matrix: bool) -> Table:
     return Table(tuple(map(tuple, rows)), is_matrix)
 
 
+@cache
+def has_value(term: Term) -> bool:
+    """True only if the term has a value whatever the names in it stand for."""
+    if term.op in ("sqrt", "root", "log", "div"):
+        *_, inside = term.children
+        least = inside.op == "rational" and inside.value >= 0
+        if not least or (inside is ZERO and term.op in ("log", "div")):
+            return False
+    return all(map(has_value, term.children))
+
+
+def times_zero(term: Term) -> Term:
+    """0 times a term: 0, or written out where the term might have no value."""
+    return ZERO if has_value(term) else ZERO * term
+
+
 def added(x: Value, y: Value, sign: str) -> Value:
     """The sum or the difference of two terms, or of two tables.
 
@@ -153,7 +170,11 @@ def over(x: Value, y: Value) -> Value:
     """
     if isinstance(y, Table):
         raise ValueError(f"{y.shape} is no divisor")
-    return x / y if isinstance(x, Term) else x.each(lambda a: a if a is ZERO else a / y)
+    return (
+        x / y
+        if isinstance(x, Term)
+        else x.each(lambda a: a if a is ZERO and y.op == "rational" and y.value else a / y)
+    )
 
 
 def determinant(matrix: Value) -> Term:
@@ -176,7 +197,7 @@ def _expanded(rows: tuple[tuple[Term, ...], ...]) -> Term:
         return first[0]
     result = ZERO
     for j, entry in enumerate(first):
-        if entry is not ZERO:
+        if entry is not ZERO or not all(has_value(a) for row in others for a in row):
             minor = tuple(row[:j] + row[j + 1 :] for row in others)
             part = _product(entry, _expanded(minor))
             result = _sum(result, -part if j % 2 else part)
@@ -223,5 +244,5 @@ def _difference(a: Term, b: Term) -> Term:
 
 def _product(a: Term, b: Term) -> Term:
     if a is ZERO or b is ZERO:
-        return ZERO
+        return times_zero(b if a is ZERO else a)
     return b if a is ONE else a if b is ONE else a * b

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import isnan
 from typing import Any
 
+from verify.check import MAX_NESTING
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import (
     NEEDED,
@@ -426,6 +427,8 @@ class Reader:
         self.name(keys, name)
         parent = self.around(keys, table, "an earlier one")
         self.scope.open(name, parent)
+        if sum(1 for _ in self.scope.chain(name)) > MAX_NESTING + 1:
+            raise self.places.error(keys, f"it is inside of {MAX_NESTING} contexts; join some")
         names = self._variables(keys, table, name)
         self.let([*keys, "let"], table.get("let", {}), (name,))
         if "gram" in table or "products" in table:

@@ -10,9 +10,9 @@ import math
 from collections import defaultdict
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
-from math import isqrt
 
 from verify.language.fold import BOUNDED, MissingOperationError, fold
+from verify.language.fold import holds as fold_holds
 from verify.language.statement import Given
 from verify.language.terms import (
     Claim,
@@ -20,7 +20,6 @@ from verify.language.terms import (
     as_term,
     names_of,
     parts_of,
-    sqrt,
     substitute,
     symbol,
 )
@@ -122,9 +121,9 @@ def _in_the_middle(
     from verify.prover.search.interior import interior  # only where it is needed
 
     def holds(point: Sequence[Fraction]) -> bool:
-        exact = {symbol(name): x for name, x in zip(variables, point, strict=True)}
+        exact = dict(zip(variables, map(as_term, point), strict=True))
         at = dict(values) | dict(zip(variables, map(float, point), strict=True))
-        return all(_seems(claim, at) and _may_hold(claim, exact) for claim in claims)
+        return all(_seems(claim, at, exact) and _may_hold(claim, exact) for claim in claims)
 
     found = interior(variables, claims, values, holds, budget)
     return None if found is None else dict(zip(variables, map(as_term, found), strict=True))
@@ -146,13 +145,15 @@ def _one_by_one(
         name = variables[len(found)]
         ready = complete_at[len(found)]
         left[0] -= sum(parts.values())
-        for term in _candidates(name, claims, found, at, around):
+        before = dict(found)
+        for term in _candidates(name, claims, ready, before, at, around):
             left[0] -= len(at) + sum(parts[claim] for claim in ready)
             if next(tried, None) is None or left[0] < 0:
                 return None
             there = at | {name: estimate(term, at)}
-            if all(_seems(claim, there) for claim in ready):
-                result = complete(found | {name: term}, there)
+            found[name] = term
+            if all(_seems(claim, there, found) for claim in ready):
+                result = complete(dict(found), there)
                 if result is not None:
                     return result
         return None
@@ -169,31 +170,44 @@ def _one_by_one(
         return None
 
 
-def _seems(claim: Claim, at: Mapping[str, float]) -> bool:
+def _seems(claim: Claim, at: Mapping[str, float], point: Mapping[str, Term]) -> bool:
+    """Whether a claim holds as far as floats tell; next to equality exactly, if that can be."""
     left, right = estimate(claim.lhs, at), estimate(claim.rhs, at)
     near = NEAR * (1 + abs(left))
-    match claim.relation:
-        case "<":
-            return left + near < right
-        case "<=":
-            return left <= right + near
-    return abs(left - right) <= near
+    if abs(left - right) > near:
+        return claim.relation != "=" and left < right
+    try:
+        sides = [_exactly(side, point) for side in (claim.lhs, claim.rhs)]
+    except (ArithmeticError, MissingOperationError, RecursionError):
+        return claim.relation != "<" and abs(left - right) <= near
+    return fold_holds(claim.relation, *sides)
 
 
-def _may_hold(claim: Claim, at: Mapping[Term, Fraction]) -> bool:
+def _exactly(term: Term, point: Mapping[str, Term]) -> Fraction:
+    """The value at a point, where all numbers on the way are rational and not long."""
+    numbers = {
+        symbol(n): point[n].value
+        for n in names_of(term)
+        if n in point and point[n].op == "rational"
+    }
+    return fold(term, BOUNDED, numbers)
+
+
+def _may_hold(claim: Claim, at: Mapping[str, Term]) -> bool:
     """False for an equation between different numbers, or that long numbers only seem to solve."""
     if claim.relation != "=":
         return True
     try:
-        left, right = (fold(side, BOUNDED, dict(at)) for side in (claim.lhs, claim.rhs))
+        left, right = (_exactly(side, at) for side in (claim.lhs, claim.rhs))
     except (ArithmeticError, MissingOperationError):
-        return all(x.denominator <= SIMPLE for x in at.values())
+        return all(x.value.denominator <= SIMPLE for x in at.values())
     return bool(left == right)
 
 
 def _candidates(
     name: str,
     claims: Sequence[Claim],
+    ready: Sequence[Claim],
     found: Mapping[str, Term],
     at: Mapping[str, float],
     around: Collection[str],
@@ -212,36 +226,13 @@ def _candidates(
     elif high:
         yield high[1] - 1 if moves else as_term(math.ceil(high[0]) - 1)
     yield from ends
+    from verify.wire.text.solutions import between, solutions  # loaded only where they are used
+
     for claim in claims:
         if claim.relation == "=":
-            yield from _solutions(name, claim, found)
+            yield from solutions(name, claim, found)
     yield from map(as_term, _SIMPLE)
-
-
-def _solutions(name: str, claim: Claim, found: Mapping[str, Term]) -> Iterator[Term]:
-    """The values of a variable that solve an equation of degree 1 or 2 in it, exactly."""
-    gap = substitute(claim.lhs - claim.rhs, found)
-
-    def at(value: int) -> Fraction:
-        return fold(gap, BOUNDED, {symbol(name): Fraction(value)})
-
-    try:
-        zero, one, two, three = map(at, range(4))
-    except (ArithmeticError, MissingOperationError):
-        return
-    a = (two - 2 * one + zero) / 2
-    b = one - zero - a
-    if three - 3 * two + 3 * one - zero or not (a or b):
-        return
-    if not a:
-        yield as_term(-zero / b)
-    elif b * b >= 4 * a * zero:
-        middle, square = -b / (2 * a), (b * b - 4 * a * zero) / (4 * a * a)
-        roots = (isqrt(square.numerator), isqrt(square.denominator))
-        is_square = Fraction(*roots) ** 2 == square
-        distance = as_term(Fraction(*roots)) if is_square else sqrt(square)
-        for root in (distance, -distance):
-            yield as_term(middle) + root if middle else root
+    yield from between(name, ready, found)
 
 
 Bound = tuple[float, Term]

@@ -204,9 +204,9 @@ class Lines:
             return None
         if found == home:
             return home
-        if found not in self.page.contexts:
+        if not isinstance(found, str) or found not in self.page.contexts:
             raise self.places.error([*keys, "in"], self.page.no_context(found))
-        return str(found)
+        return found
 
     def _opened_up_to(self, home: str | None) -> Iterator[Chapter]:
         """The contexts of the page up to this one, if it is not open."""

@@ -104,11 +104,13 @@ class Scope:
             for written, name in names.items():
                 other = known.setdefault(written, name)
                 if other != name:
-                    both = f"{self.homes[other]} and of {home}"
-                    twice[written] = f"is a name of the context {both}; say in which by in = "
+                    first = self.homes[other]
+                    where = f'say in which by in = "{first}", or the other one'
+                    twice[written] = f"is a name of the context {first} and of {home}; {where}"
         for written in self.short[None].keys() & known.keys():
             home = self.homes[known[written]]
-            twice[written] = f"stands for a term, and is a name of the context {home}; write in = "
+            where = f'write in = "{home}" if that is meant, or another name for the term'
+            twice[written] = f"stands for a term, and is a name of the context {home}; {where}"
         known = {name: name for name in self.homes} | known
         one = {key: name for key, name in known.items() if key not in twice}
         short = {key: term for key, term in self.short[None].items() if key not in twice}

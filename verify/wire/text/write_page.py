@@ -21,8 +21,8 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term, names_of, signs_in
 from verify.wire.inputs import InputError
-from verify.wire.text.infix import claim_text, term_text
 from verify.wire.text.letters import letter_of, tex_of
+from verify.wire.text.written import claim_text, term_text
 from verify.wire.write import statement_terms
 
 #: Longer lists and tables get a line for each entry.

@@ -1,0 +1,67 @@
+"""Where the sides of a claim are equal, as exact values of one variable, and numbers between."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from math import isqrt
+
+from verify.language.fold import BOUNDED, MissingOperationError, fold
+from verify.language.terms import Claim, Term, as_term, nth_root, sqrt, substitute, symbol
+from verify.wire.text.points import estimate, simplest
+
+#: Roots of a larger index are no candidates.
+MOST_INDEX = 20
+
+
+def solutions(name: str, claim: Claim, found: Mapping[str, Term]) -> Iterator[Term]:
+    """The values of a variable at which the sides are equal, if they differ by a square or less.
+
+    And the root if that is a multiple of a power of the variable and a number.
+    """
+    gap = substitute(claim.lhs - claim.rhs, found)
+
+    def at(value: int) -> Fraction:
+        return fold(gap, BOUNDED, {symbol(name): Fraction(value)})
+
+    try:
+        zero, one, two, three = map(at, range(4))
+    except (ArithmeticError, MissingOperationError):
+        return
+    a = (two - 2 * one + zero) / 2
+    b = one - zero - a
+    if three - 3 * two + 3 * one - zero:
+        a = one - zero
+        powers = (
+            n for n in range(3, MOST_INDEX) if (two - zero, three - zero) == (a * 2**n, a * 3**n)
+        )
+        for n in powers if a and zero else ():
+            root = nth_root(as_term(abs(zero / a)), n)
+            if zero / a < 0:
+                yield root
+            if zero / a > 0 if n % 2 else zero / a < 0:
+                yield -root
+        return
+    if not a:
+        if b:
+            yield as_term(-zero / b)
+    elif b * b >= 4 * a * zero:
+        middle, square = -b / (2 * a), (b * b - 4 * a * zero) / (4 * a * a)
+        roots = (isqrt(square.numerator), isqrt(square.denominator))
+        is_square = Fraction(*roots) ** 2 == square
+        distance = as_term(Fraction(*roots)) if is_square else sqrt(square)
+        for root in (distance, -distance):
+            yield as_term(middle) + root if middle else root
+
+
+def between(name: str, claims: Sequence[Claim], found: Mapping[str, Term]) -> Iterator[Term]:
+    """Numbers between the values at which the sides of inequalities are equal, and beyond them."""
+    sides = (claim for claim in claims if claim.relation != "=")
+    ends = {estimate(end, {}) for claim in sides for end in solutions(name, claim, found)}
+    ordered = sorted(filter(math.isfinite, ends))
+    if ordered:
+        yield as_term(math.ceil(ordered[-1]) + 1)
+        yield as_term(math.floor(ordered[0]) - 1)
+        yield from (as_term(simplest(*pair)) for pair in pairwise(ordered))

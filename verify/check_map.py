@@ -50,7 +50,7 @@ ONE = 1 << PLACES
 MAX_STEPS, MAX_WORK = 2000, 290_000
 #: To begin with a box costs as much as so many steps.
 BOX_PRICE = 3
-MAX_LEVEL, MAX_DIGITS, MAX_SIXES = 40, 40, 64
+MAX_FIRST, MAX_LEVEL, MAX_DIGITS, MAX_SIXES = 8, 40, 40, 64
 #: Of a line in bytes, and of a number of a state in bits: a collision can double its length.
 MAX_LINE, MAX_BITS = 1 << 24, 16 * PLACES
 #: Of the fraction of the area, in bits.
@@ -1302,8 +1302,8 @@ def check_log(lines: Iterator[bytes], most: int | None = MAX_WORK) -> tuple[Plan
     if type(header["code"]) is not int or not 0 <= header["code"] < 1 << 31:
         raise LogError("expected a whole number for the code")
     plane, level = plane_of(header["plane"]), header["first_level"]
-    if type(level) is not int or not 1 <= level <= 8:
-        raise LogError("expected a first level from 1 to 8")
+    if type(level) is not int or not 1 <= level <= MAX_FIRST:
+        raise LogError(f"expected a first level from 1 to {MAX_FIRST}")
     if isinstance(plane, Strip) and 1 << level != len(plane.curve):
         raise LogError("expected a first box for each part of the curve")
     tally, rules, law = Tally(plane), rules_of(plane), law_in(plane)
@@ -1544,8 +1544,8 @@ def _phi(found: dict[str, Any]) -> Phi:
 def _strip(found: dict[str, Any]) -> Strip:
     phi, delta = _phi(found), _rational(found["delta"])
     curve = found["curve"]
-    if not isinstance(curve, list):
-        raise LogError("expected a curve")
+    if not isinstance(curve, list) or len(curve) > 1 << MAX_FIRST:
+        raise LogError(f"expected a curve of at most {1 << MAX_FIRST} parts")
     coefficients = tuple(_row(part) for part in curve)
     bands = _row(found["below"]), _row(found["above"])
     if {*map(len, coefficients)} != {3} or sum(map(len, bands)) - 2 != len(curve):

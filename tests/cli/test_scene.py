@@ -764,6 +764,7 @@ def test_a_sample_of_some_parameters(tmp_path: Path, capsys: pytest.CaptureFixtu
         (("--at", "h=0,r=0.03,v=0", "--grid", "r=0.01..0.1:2"), "has no parameter without a value"),
         (("--sample", "0"), "--sample: "),
         (("--sample", "5", "--confidence", "100%"), "--confidence: '100%' is not in (0, 1)"),
+        (("--sample", "5", "--confidence", "100"), "is no share; write a share such as 0.1%"),
         (
             ("--sample", "5", "--plot", "a.html"),
             "'a.html': a sample is drawn as .svg; write FILE.svg",
@@ -967,3 +968,30 @@ def test_a_collapse_is_drawn_from_collision_to_collision(
         # In the end each falls by the same factor, from one collision to the next.
         steps = [b - a for a, b in pairwise(line)][-6:]
         assert max(steps) < 1.2 * min(steps)
+
+
+def test_a_unit_cannot_end_the_script(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = (SCENES / "in-space.toml").read_text()
+    path = written(tmp_path, f'time_unit = "</script><b>s"\n{text}')
+    assert run(capsys, path, "--plot", tmp_path / "s.html")[0] == 0
+    page = (tmp_path / "s.html").read_text()
+    assert page.count("</script>") == page.count("<script>") == 1
+
+
+def test_a_long_seed_is_a_seed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = (written(tmp_path, FAMILY), "--sample", 2, "--seed")
+    found = [run(capsys, *words, seed)[0] for seed in (2**64 - 2, 2**64 - 1, 2**65)]
+    assert found == [0, 0, 2]
+
+
+def test_numbers_that_no_drawing_has(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = written(
+        tmp_path,
+        'r = "0.01..0.08"\npositions = [["0", "0"], ["1.1", "0"], ["-1.1", "h"]]\n'
+        'velocities = [["0", "0"], ["-1e-320", "0"], ["1e-320", "v*1e-320"]]\n'
+        '[parameters]\nh = "0..0.1"\nv = "-1..1"\n',
+    )
+    code, _, err = run(capsys, path, "--sample", 20, "--plot", tmp_path / "a.svg")
+    assert code == 2
+    assert "too large or too small to draw" in err
+    assert not (tmp_path / "a.svg").exists()

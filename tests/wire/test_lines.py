@@ -337,3 +337,12 @@ def test_a_line_is_in_a_context_that_has_a_name(place: str) -> None:
     more = f'[[chapters]]\n[chapters.rows]\nline = {{ claim = "t < 1", in = {place} }}\n'
     with pytest.raises(InputError, match="is no context"):
         read_page("p.toml", (PAGE + more).encode())
+
+
+@pytest.mark.parametrize("fact", ['"nothere"', '["x-small"]', '"k"'])
+def test_a_claim_is_an_instance_of_a_fact_that_there_is(fact: str) -> None:
+    line = f'a = {{ claim = "1/4 <= 1/2", instance = {fact}, at = {{ x = "1/4" }}, by = "" }}'
+    with pytest.raises(InputError, match=r"rows\.a\.instance: "):
+        read_page(
+            "p.toml", (PAGE + f'[[chapters]]\nin = "box"\n[chapters.rows]\n{line}\n').encode()
+        )

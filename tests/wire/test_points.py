@@ -70,3 +70,10 @@ def test_a_point_that_only_seems_to_be_one_is_none(given: str) -> None:
     )
     with pytest.raises(InputError, match=r"contradict each other|no point was found"):
         read_page_of("a.toml", page.encode(), {})
+
+
+def test_a_short_time_is_told() -> None:
+    with pytest.raises(InputError, match="write a longer --time, or one, as"):
+        read_page_of("a.toml", hopeless(), {}, 0.01)
+    with pytest.raises(InputError, match="write one, as"):
+        read_page_of("a.toml", hopeless(), {}, None)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from fractions import Fraction
 from pathlib import Path
 
@@ -179,3 +180,14 @@ def test_a_text_that_is_not_one_line_is_not_compiled() -> None:
             compiled(one._replace(rows=(row._replace(says=said),)), b"x")
     with pytest.raises(ValueError, match="about a context"):
         compiled(one._replace(rows=(row._replace(context="c"),)), b"x")
+
+
+def test_many_sets_are_read_soon() -> None:
+    sets = "".join(f's{i} = "needed"\n' for i in range(80))
+    constants = "".join(f'c{j} = "{j} + 1"\n' for j in range(24))
+    rows = "".join(f'r{j} = "0 < c{j}"\n' for j in range(24))
+    homes = [f"s{i}" for i in range(80)]
+    text = f'title = "t"\n[sets]\n{sets}[[chapters]]\nin = {homes}\n'.replace("'", '"')
+    begin = time.process_time()
+    read_page("p.toml", f"{text}[chapters.constants]\n{constants}[chapters.rows]\n{rows}".encode())
+    assert time.process_time() - begin < 6

@@ -294,7 +294,7 @@ def _read_times(folder: str, progress: Progress) -> list[Sample]:
         with open(os.path.join(folder, TIMES), encoding="utf-8") as file:
             rows = [line.split(",") for line in file.read().splitlines()[1:]]
         found = [Sample(int(b), Fraction(u), float(s)) for b, u, s in rows]
-    except (OSError, ValueError):
+    except (OSError, ValueError, ZeroDivisionError):
         return []
     return found if found and found[-1].boxes == progress.boxes else []
 

@@ -163,9 +163,10 @@ def _drawing(kind: str, found: Fate, limits: Budget) -> str:
     Raises:
         InputError: if numbers are too large or small for a drawing.
     """
-    from verify.views.plots.scene_drawing import scene_page, scene_svg  # loaded only here
+    from verify.cli.drawable import drawable  # loaded only here
+    from verify.views.plots.scene_drawing import scene_page, scene_svg
 
-    try:
+    with drawable():
         if kind == ".html":
             return scene_page(told(found), steps(found))
         more = found
@@ -175,10 +176,6 @@ def _drawing(kind: str, found: Fate, limits: Budget) -> str:
         if more.collapse is None:
             more = found
         return scene_svg(told(more)._replace(lines=told(found).lines), list(steps(more)))
-    except (OverflowError, ZeroDivisionError, ValueError) as error:  # also not a number
-        raise InputError(
-            "--plot: numbers of this scene are too large or too small to draw; leave it out"
-        ) from error
 
 
 def _has_certificate(out: str | None, found: Fate) -> bool:

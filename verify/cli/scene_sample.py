@@ -135,11 +135,14 @@ def run_sample(options: Options, limits: Budget, jobs: int) -> int:
         write_file("--csv", options.csv, csv_text([(*_heads(family), *COLUMNS), *rows]))
     document = _document(family, rows, seed, left_out, level)
     if options.plot is not None:
-        from verify.views.plots.distributions import sample_svg  # loaded only where it is used
+        from verify.cli.drawable import drawable  # loaded only where they are used
+        from verify.views.plots.distributions import sample_svg
 
         skip = len(_heads(family))
         named = [dict(zip(COLUMNS, row[skip:], strict=True)) for row in rows]
-        write_file("--plot", options.plot, sample_svg(document, named, limits.digits))
+        with drawable():
+            drawing = sample_svg(document, named, limits.digits)
+        write_file("--plot", options.plot, drawing)
     if options.json:
         print_document(document)
     else:

@@ -112,13 +112,16 @@ def _point(options: Options) -> int:
     found = decide_separatrix(parameters, at, digits, budget)
     certified = "" if options.out is None else _certify(options.out, found)
     if options.plot is not None:
-        from verify.views.plots.separatrix import strip_svg  # loaded only where it is used
+        from verify.cli.drawable import drawable  # loaded only where they are used
+        from verify.views.plots.separatrix import strip_svg
 
         drawn = found if at is None else decide_separatrix(parameters, None, DRAWN_DIGITS, budget)
         strips = staircase(drawn, budget)
         if not strips:
             raise InputError("--plot: no curve is known there; choose parameters that have one")
-        write_file("--plot", options.plot, strip_svg(drawn, strips))
+        with drawable():
+            drawing = strip_svg(drawn, strips)
+        write_file("--plot", options.plot, drawing)
     if options.json:
         print_document(separatrix_document(found, certified))
     else:
@@ -134,12 +137,15 @@ def _curves(options: Options) -> int:
     points = [_parameters(options, r) for r in _values(options.r, count)]
     found = [decide_separatrix(point, None, digits, budget) for point in points]
     if options.plot is not None:
-        from verify.views.plots.separatrix import curves_svg  # loaded only where it is used
+        from verify.cli.drawable import drawable  # loaded only where they are used
+        from verify.views.plots.separatrix import curves_svg
 
         strips = [staircase(one, budget, FEW_CORNERS) for one in found]
         if not any(strips):
             raise InputError("--plot: no curve is known there; choose smaller values of --r")
-        write_file("--plot", options.plot, curves_svg(list(zip(found, strips, strict=True))))
+        with drawable():
+            drawing = curves_svg(list(zip(found, strips, strict=True)))
+        write_file("--plot", options.plot, drawing)
     if options.json:
         print_document(curves_document(found))
     else:

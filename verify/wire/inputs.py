@@ -101,9 +101,7 @@ def share(option: str, text: str) -> Fraction:
         raise InputError(f"{option}: {shown(text)} is no share; write {number}%")
     value = rational(option, text.removesuffix("%")) / (100 if text.endswith("%") else 1)
     if not 0 <= value <= 1:
-        meant = (
-            f"{text}%" if 1 < value <= 100 and not text.endswith("%") else "a share such as 0.1%"
-        )
+        meant = f"{text}%" if 1 < value < 100 and not text.endswith("%") else "a share such as 0.1%"
         raise InputError(f"{option}: {shown(text)} is no share; write {meant}")
     return value
 
@@ -137,7 +135,8 @@ def integer(option: str, text: str, least: int, most: int) -> int:
     Raises:
         InputError: for anything else.
     """
-    if not re.fullmatch(r"[0-9]{1,9}", text) or not least <= int(text) <= most:
+    longest = max(9, len(str(most)))
+    if not re.fullmatch(f"[0-9]{{1,{longest}}}", text) or not least <= int(text) <= most:
         from verify.wire.meant import whole  # loaded only where it is used
 
         meant = whole(text, least, most) or f"a whole number from {least} to {most}"

@@ -11,12 +11,13 @@ from errno import EACCES, EAGAIN
 from fractions import Fraction
 from functools import partial
 from os import SEEK_END, unlink
+from os import path as paths
 from typing import BinaryIO
 
 from verify import check_map
 from verify.language.record import Record
 from verify.spheres.map.boxes import FINITE, UNDECIDED, Verdicts, verdicts
-from verify.spheres.map.log import CHUNK, Chunk, Progress, plane_document
+from verify.spheres.map.log import CHUNK, Chunk, LogMismatchError, Progress, plane_document
 from verify.spheres.map.planes import Plane
 from verify.spheres.map.strip import BorderStrip
 from verify.spheres.map.workers import Workers
@@ -158,6 +159,8 @@ def open_log(path: str, progress: Progress) -> BinaryIO:
         LogMismatchError: if it is not the beginning of this map.
         BlockingIOError: if another process has opened it here.
     """
+    if paths.exists(path) and not paths.isfile(path):
+        raise LogMismatchError("it is no file, but a device, a folder or a pipe")
     with ExitStack() as stack:
         file = stack.enter_context(open(path, "a+b"))
         _lock(file)

@@ -103,7 +103,7 @@ def scene_page(told: Told, steps: Iterable[Step]) -> str:
         name: " ".join(f"--{key}: {value};" for key, value in colours.items())
         for name, colours in SCHEMES.items()
     }
-    content = {"told": told.lines, "data": json.dumps(data), **schemes}
+    content = {"told": told.lines, "data": json.dumps(data).replace("<", "\\u003c"), **schemes}
     return in_html("scene.html", content) + "\n"
 
 

@@ -364,11 +364,9 @@ class Reader:
 
     def _said_before(self, written: str) -> dict[str, Any]:
         """What is said of an earlier constant that is called the same, without its set."""
-        same = (c for c in self.constants if c.name in (written, *self._in_sets(written)))
+        names = {written, *(f"{name}.{written}" for name in self.sets)}
+        same = (c for c in self.constants if c.name in names)
         return next(({"letter": c.letter, "tex": c.tex, "label": c.label} for c in same), {})
-
-    def _in_sets(self, written: str) -> list[str]:
-        return [f"{name}.{written}" for name in self.sets]
 
     def _choice(
         self, place: Sequence[str], item: Mapping[str, Any], bound: Constant, home: str | None
@@ -451,8 +449,9 @@ class Reader:
                     keys,
                     f"the givens contradict each other: {wrong}; mend one of them"
                     if wrong
-                    else "no point was found at which all givens hold; write one, as "
-                    f"point = {{ {sides} }}; or mend the givens, if they contradict each other",
+                    else f"no point was found at which all givens hold; write "
+                    f"{self.points.in_time}one, as point = {{ {sides} }}; or mend the givens, if "
+                    "they contradict each other",
                 )
         self.floats |= {v: estimate(term, self.floats) for v, term in at.items()}
         label = self.text([*keys, "label"], table.get("label", ""), "a label")

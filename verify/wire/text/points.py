@@ -75,7 +75,13 @@ class Points:
     def __init__(self, seconds: float | None = None) -> None:
         """Half of some seconds may go into the search, as far as its work is counted."""
         parts = math.inf if seconds is None else 500_000 * UNITS * seconds
-        self.left = int(min(WORK_OF_FILE, parts))
+        self.left, self._is_short = int(min(WORK_OF_FILE, parts)), parts < WORK_OF_FILE
+
+    @property
+    def in_time(self) -> str:
+        """What to write first, where the time has ended the search."""
+        is_over = self._is_short and self.left < UNITS
+        return "a longer --time, or " if is_over else ""
 
     def find(
         self,

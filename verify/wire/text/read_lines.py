@@ -440,12 +440,17 @@ class Lines:
             raise self.places.error(keys, f"{shown(state)} is no state; {instead}")
         return states[state]
 
-    def _instance(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> Claim:
+    def _instanced(self, keys: Keys, table: Mapping[str, Any]) -> str:
+        """The fact of which a line is an instance."""
         fact = self.page.text([*keys, "instance"], table["instance"], "the name of a fact")
         self._fact([*keys, "instance"], fact)
         if fact not in self.claims:
             what = f"{shown(fact)} is a constant; write the name of a given or of an earlier line"
             raise self.places.error([*keys, "instance"], what)
+        return fact
+
+    def _instance(self, keys: Keys, table: Mapping[str, Any], home: str | None) -> Claim:
+        fact = self._instanced(keys, table)
         place = self.homes[fact]
         values = self._values([*keys, "at"], table.get("at"), place or "", home)
         return substitute_claim(self.claims[fact], self._with_constants_at(place, values))
@@ -505,7 +510,7 @@ class Lines:
             start, after = (self._paired(keys, text, claim.context, "carried") for text in pair)
             return ByInduction(start, after)
         if "instance" in table:
-            fact = table["instance"]
+            fact = self._instanced(keys, table)
             values = self._values([*keys, "at"], table.get("at"), self.homes[fact] or "", home)
             return ByInstance(fact, values, self._paired(keys, by, self.homes[fact]))
         if "rule" in table:

@@ -33,16 +33,7 @@ def solutions(name: str, claim: Claim, found: Mapping[str, Term]) -> Iterator[Te
     a = (two - 2 * one + zero) / 2
     b = one - zero - a
     if three - 3 * two + 3 * one - zero:
-        a = one - zero
-        powers = (
-            n for n in range(3, MOST_INDEX) if (two - zero, three - zero) == (a * 2**n, a * 3**n)
-        )
-        for n in powers if a and zero else ():
-            root = nth_root(as_term(abs(zero / a)), n)
-            if zero / a < 0:
-                yield root
-            if zero / a > 0 if n % 2 else zero / a < 0:
-                yield -root
+        yield from _roots(zero, one - zero, two - zero, three - zero)
         return
     if not a:
         if b:
@@ -54,6 +45,18 @@ def solutions(name: str, claim: Claim, found: Mapping[str, Term]) -> Iterator[Te
         distance = as_term(Fraction(*roots)) if is_square else sqrt(square)
         for root in (distance, -distance):
             yield as_term(middle) + root if middle else root
+
+
+def _roots(number: Fraction, *gaps: Fraction) -> Iterator[Term]:
+    """Where a x^n + number is 0 for an n > 2, if that is what a x^n is at 1, 2 and 3."""
+    a, two, three = gaps
+    n = next((n for n in range(3, MOST_INDEX) if (two, three) == (a * 2**n, a * 3**n)), 0)
+    if a and number and n:
+        root = nth_root(as_term(abs(number / a)), n)
+        if number / a < 0:
+            yield root
+        if (number / a > 0) == bool(n % 2):
+            yield -root
 
 
 def between(name: str, claims: Sequence[Claim], found: Mapping[str, Term]) -> Iterator[Term]:

@@ -775,7 +775,52 @@ said(
         "0-1 0-2", "docs/explanation/sandwich.md", "0-1 and 0-2 do not go on colliding in turn"
     ),
 )
-M = "verify/spheres/limit_map.py"
+#: A proof by hand: each formula, and where the program has it.
+P, W = "docs/explanation/wall.md", "verify/spheres/flow/wall.py"
+DECAYS = "G**2 * x.pair.share(i) <= G * Y[i] + k[i]"
+STEP = "x.pair.share(0) * C * (1 - U) - Q"
+RATIO = "x.pair.r[0] * x.G * (1 - U) / P, x.G * Q * U / P**2"
+LAST = "load > U_next * (2 - U_next) * P**2"
+HIGH = "x.pair.share(1) * x.Y[0] / (1 - x.Y[0] * x.Y[1])"
+TIME = "G * x.U_b + x.z_b * Y[0] <= x.E * x.w**2 * (1 - Y[0] * Y[1])"
+WIDE = "wide = x.U_b * (2 - x.U_b) * x.G**2"
+for phrase, code in (
+    ("y = -V·ω the", "the speeds at which ball 0 meets ball 1 and leaves the wall"),
+    ("u (2 - u) = d (2 + d) |V|²/((1 + d)² y²)", "d * (2 + d) * w * w <= exact(U * (2 - U))"),
+    ("flight τ = (1 + d) y u/|V|²,", "later = above(float(G * widest + z_b * fall[0])"),
+    ("contact (1 + d) y (1 - u).", "reach = (1 + d) * y"),
+    ("b = (1 + r) m_c/(m_o + m_c)", "b_1 = (1+r_1) m_1/(m_0+m_1)"),
+    ("b' = 1 + r'.", "b_w = 1 + r_w"),
+    ("y' = b (1 + d) y (1 - u) C' - η,", STEP),
+    ("r (1 + d) y (1 - u);", RATIO),
+    ("S = C₀ - Θ,", "C = x.C_0 - x.Theta"),
+    ("q = η/y ≤ Q₀, k ≤ q, u ≤ U₀", "eta <= exact(Q) * y"),
+    ("U ≤ U\\*, all z ≤ z\\*;", "0 <= U <= x.U_b < 1 and once[1] <= x.z_b"),
+    ("P' > 0 in", "P <= 0 or x.pair.r[1] > Q_next * P"),
+    ("P = b S (1 - U) - Q,   Q' = r Γ (1 - U)/P,   z = Γ Q U/P²,", RATIO),
+    ("P' = b' S - Q' - z,   r' ≤ Q'' P',   z (2 Q' + z) ≤ U'' (2 - U'') P'²,", LAST),
+    ("Γb ≤ Y + k/Γ, Γb' ≤ Y' + k'/Γ,", DECAYS),
+    ("k'Y ≤ r(1 - U\\*), kY' ≤ r',", "k[1] * Y[0] <= r[0] * (1 - x.U_b)"),
+    ("YY' < 1;", "Y[0] * Y[1] < 1"),
+    ("|V| + b'Yy/(1 - YY') ≤ w and", HIGH),
+    ("U\\*(2 - U\\*) y²Γ² ≤ w²(Γ² - 1);", WIDE),
+    ("ΓU\\* + z\\*Y ≤ E w²(1 - YY'), |C - C₀| + wEy ≤ Θ,", TIME),
+    ("(R_c - R_o)/(R_c + R_o).", "``least_cosine`` keeps ball 1 off the wall"),
+    ("than |V| ≤ w, so", "and A <= high * high"),
+    ("(1+d)² - 1 is at most", "exact(wide) * y * y <= w * w * exact(x.G**2 - 1)"),
+    ("times (y/w)²: at most U\\*(2-U\\*)(y/w)²,", WIDE),
+    ("1 + d ≤ Γ.", "reach = (1 + d) * y"),
+    ("C' ≥ S and 1 + d ≥ 1;", "C = x.C_0 - x.Theta"),
+    ("bounds w² times the", TIME),
+    ("y'/y ≤ Γb - q ≤ Y since q ≥ k at", DECAYS),
+    ("next ≤ b' - q'/Γ ≤ Y' since q' ≥ k' at", DECAYS),
+    ("q' ≥ r(1 - U\\*)/Y ≥ k', q'' ≥ r'/Y' ≥ k.", "k[0] * Y[1] <= r[1]"),
+    ("at most YY' < 1.", "Y[0] * Y[1] < 1"),
+    ("b'Yy/(1 - YY') at most.", HIGH),
+    ("ΓU\\*y/w² and z\\*y'/w² each:", TIME),
+):
+    said(P, phrase, by=coded(phrase, W, code))
+P, M = "docs/explanation/separatrix.md", "verify/spheres/limit_map.py"
 said(P, "Let ball {} be in", coded("0", M, "The first ball is the one in the middle"))
 said(P, "let {} have just", coded("1", M, "the second has just collided with it"))
 said(P, "let {} be next;", coded("2", M, "the third one is the next"))

@@ -62,6 +62,8 @@ def _write_three(out: str, found: Ending, limits: Budget) -> tuple[str | None, s
     """The folder with the certificate of the three, and what is told of it."""
     if found.verdict != COLLAPSES:
         return None, "no certificate: no three balls collapse"
+    if found.wall is not None:
+        return None, "no certificate: of a ball at a wall there is none yet"
     if found.scene is None or found.since is None:
         return None, "no certificate: no decimals near the three collapse in the same way"
     time = exact_number(found.since, TITLE_DIGITS)

@@ -48,7 +48,12 @@ def many_lines(found: Ending, shown: Callable[[Ends], list[str]]) -> Iterator[st
         low, high = shown(found.time)
         yield f"collapse time in [{low}, {high}]{unit}"
         low, high = shown(found.angle)
-        yield f"ball {found.members[0]} is in the middle; final -cos θ in [{low}, {high}]"
+        if found.wall is None:
+            yield f"ball {found.members[0]} is in the middle; final -cos θ in [{low}, {high}]"
+        else:
+            one, other = found.members
+            what = f"the cosine between its normal and the direction of ball {other}"
+            yield f"ball {one} is at the wall; at the end {what} is in [{low}, {high}]"
     if found.place:
         rows = ["[{}, {}]".format(*shown(e)) if found.angle else short(e) for e in found.place]
         yield f"ball {found.members[0]} is then at {' x '.join(rows)}"
@@ -71,8 +76,15 @@ def origin_lines(found: Ending, certificate: str) -> Iterator[str]:
         return
     if certificate:
         yield certificate
-    given = f"given certificates/{found.why}; " if found.verdict == COLLAPSES else ""
+    given = f"given {_theorem(found)}; " if found.verdict == COLLAPSES else ""
     yield f"{given}judged by {FLINT}; {COMPUTED}"
+
+
+def _theorem(found: Ending) -> str:
+    """On which theorem a collapse rests."""
+    if found.wall is None:
+        return f"certificates/{found.why}"
+    return "the theorem on a ball at a wall (docs/explanation/wall.md), which has no certificate"
 
 
 def many_document(found: Ending, certificate: str | None) -> dict[str, Any]:
@@ -83,7 +95,7 @@ def many_document(found: Ending, certificate: str | None) -> dict[str, Any]:
         "command": "scene",
         "verdict": found.verdict,
         "judged_by": None if is_open else FLINT,
-        "cites": [found.why] if found.verdict == COLLAPSES else [],
+        "cites": [found.why] if found.verdict == COLLAPSES and found.wall is None else [],
         "reason": found.why,
         "says": found.says,
         "balls": found.system.number,

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from fractions import Fraction
+from typing import Protocol
 
 from verify.language.record import Record
 from verify.prover import balls
@@ -113,7 +114,18 @@ def may_collapse(bodies: Bodies, C: float) -> bool:
     return C > 0 and math.sqrt(bodies.share(0) * bodies.share(1)) * C > roots
 
 
-def decay(bodies: Bodies, G: float, q: float, widest: float) -> tuple[list[float], list[float]]:
+class Shares(Protocol):
+    """What ball 0 gets of the speed of each of two contacts, and their restitutions."""
+
+    @property
+    def r(self) -> tuple[Fraction, Fraction]:
+        """The coefficients of restitution."""
+
+    def share(self, i: int) -> Fraction:
+        """The share of a contact."""
+
+
+def decay(bodies: Shares, G: float, q: float, widest: float) -> tuple[list[float], list[float]]:
     """Bounds Y of what one collision leaves of the closing speed, with bounds k of q from below."""
     share, r = [[float(x) for x in f] for f in (map(bodies.share, (0, 1)), bodies.r)]
     k, Y = [0.0, 0.0], [x * G for x in share]

@@ -19,6 +19,7 @@ from verify.spheres.flow.law import Number
 from verify.spheres.many.groups import find_groups
 from verify.spheres.many.isolation import (
     exact_time,
+    find_between,
     find_rest,
     find_three,
     nearest,
@@ -42,8 +43,9 @@ from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.verdict import Impact, ball_ends
 
 FOLLOWED, RESTS = "followed", "rests"
-#: Names of reasons: a time was reached, balls fell into groups, the bounces of one accumulate.
-UNTIL, GROUPS, BOUNCES = "until", "groups", "bounces"
+#: Names of reasons: a time was reached, balls fell into groups, the bounces of one accumulate, on
+#: a wall or between it and another ball.
+UNTIL, GROUPS, BOUNCES, BETWEEN = "until", "groups", "bounces", "wall-and-ball"
 #: After so many collisions, and after twice as many each time, groups are looked for.
 FIRST_GROUPS = 8
 #: So many spans of time without a collision in a box are enough.
@@ -190,7 +192,7 @@ class Run:
         """What a contact has ended, if anything."""
         i, j = event.who
         if event.is_bounce:
-            return self._rest(i, -1 - j, event.time)
+            return self._rest(i, -1 - j, event.time) or self._between(i, -1 - j, event.time)
         for o, s in ((i, j), (j, i)):
             c = self.last[o][1]
             if c is not None and c >= 0:
@@ -210,6 +212,24 @@ class Run:
         place = [ball_ends(a - above * n, self.bits) for a, n in zip(x, normal, strict=True)]
         return self._end(RESTS, BOUNCES, says)._replace(
             members=(ball,), wall=wall, time=ball_ends(end, self.bits), place=place
+        )
+
+    def _between(self, ball: int, wall: int, time: Number) -> Ending | None:
+        other = self.last[ball][1]
+        found = None
+        if other is not None and other >= 0:
+            found = find_between(self.queue, ball, wall, other, time)
+        if found is None or other is None:
+            return None
+        says = f"the balls {ball} and {other} collapse on wall {wall}"
+        low, high = (ball_ends(end, self.bits) for end in (time, time + found.later))
+        angle = tuple(ball_ends(end, self.bits)[k] for k, end in enumerate(found.cosine))
+        return self._end(COLLAPSES, BETWEEN, says)._replace(
+            members=(ball, other),
+            wall=wall,
+            time=(low[0], high[1]),
+            angle=(angle[0], angle[1]),
+            place=self._place(ball, time, found.later, found.reach[0]),
         )
 
     def _collapse(self, members: tuple[int, int, int], time: Number) -> Ending | None:

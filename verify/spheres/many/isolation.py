@@ -29,8 +29,11 @@ from verify.prover import balls
 from verify.spheres.flow.collapse import Collapse, start_of
 from verify.spheres.flow.law import Number
 from verify.spheres.flow.three_balls import Bodies, find_three_balls, scaled
+from verify.spheres.flow.wall import Pair as WallPair
+from verify.spheres.flow.wall import Start, WallCollapse, find_wall
 from verify.spheres.many.motion import ZERO, Approach, Motion, Shift
 from verify.spheres.many.queue import Queue, above
+from verify.spheres.many.system import System
 from verify.spheres.scene.decide import bodies_of
 from verify.spheres.scene.scene import Coordinates, Scene, inner_product, sizes_of
 
@@ -132,6 +135,52 @@ def impulses(bodies: Bodies, found: Collapse) -> tuple[Number, Number, Number]:
     return middle, outer[1], outer[0]
 
 
+def find_between(
+    queue: Queue, ball: int, wall: int, other: int, time: Number
+) -> WallCollapse | None:
+    """Why a ball that has just met a wall collapses between it and another ball."""
+    motion, system = queue.motion, queue.motion.system
+    way, shift = motion.approach(ball, wall, time), nearest(motion, ball, other, time)
+    if way.fall != 0 or not way.rate > 0:
+        return None
+    sigma = system.contact(ball, other)
+    reach, norm = balls.exact(sigma), motion.norms[wall]
+    x, w = motion.difference(motion.at(ball, time), motion.at(other, time), shift)
+    gap = inner_product(x, x) - reach * reach
+    if not gap > 0:
+        return None
+    size = balls.any_root(gap + reach * reach)
+    start = Start(
+        -inner_product(x, w) / size / reach,
+        way.rate / norm / reach,
+        gap / (reach * (size + reach)),
+        inner_product(w, w) / (reach * reach),
+        inner_product(motion.normals[wall], x) / (norm * size),
+    )
+    try:
+        found = find_wall(_pair_of(system, ball, wall, other), start)
+    except OverflowError:  # what is looked for with floats is beyond their range
+        return None
+    if found is None:
+        return None
+    members = dict(zip((ball, other), found.reach, strict=True))
+    alone = stays_alone(queue, members, time, found.later, {ball: wall}, together=True)
+    return found if alone else None
+
+
+def _pair_of(system: System, ball: int, wall: int, other: int) -> WallPair:
+    own, next_one = system.masses[ball], system.masses[other]
+    r, r_wall = system.restitution(ball, other), system.walls[wall].r
+    sigma = system.contact(ball, other)
+    return WallPair(
+        ((1 + r) * next_one / (own + next_one), 1 + r_wall),
+        (r, r_wall),
+        (system.radii[other] - system.radii[ball]) / sigma,
+        sigma,
+        (1 + r) * own / (own + next_one),
+    )
+
+
 def find_rest(queue: Queue, ball: int, wall: int, time: Number) -> Number | None:
     """After which time all bounces of a ball on a wall are over, which it has just met.
 
@@ -156,7 +205,7 @@ def find_rest(queue: Queue, ball: int, wall: int, time: Number) -> Number | None
         walls[k] = own
         if event.time + rest * balls.exact(r) < time + later:
             return None
-    return later if stays_alone(queue, members, time, later, walls) else None
+    return later if stays_alone(queue, members, time, later, walls, together=False) else None
 
 
 def _bounces(motion: Motion, wall: int, speed: Number, fall: Number) -> tuple[Number, Number]:
@@ -172,11 +221,13 @@ def stays_alone(
     start: Number,
     later: Number,
     on: Mapping[int, int] = {},
+    *,
+    together: bool = True,
 ) -> bool:
     """True only if nothing else meets these balls within a time, and no others meet.
 
-    Each ball may be off its way in free flight by so much per time. They meet one another, or else
-    each the wall that ``on`` names.
+    Each ball may be off its way in free flight by so much per time. They meet one another, if they
+    are ``together``, and each the wall that ``on`` names.
     """
     motion, end = queue.motion, start + later
     if queue.limit is not None and not end < queue.limit:
@@ -186,9 +237,9 @@ def stays_alone(
     pairs = [(i, k) for i in members for k in range(motion.system.number) if k not in members]
     slopes = {pair: members[pair[0]] for pair in pairs}
     slopes |= {(i, j): members[i] + members[j] for i, j in combinations(members, 2)}
-    # Three that collapse meet one another, but no images of one another.
-    three = () if on else members
-    near = {k: nearest(motion, next(iter(members)), k, start) for k in three}
+    # Those that collapse meet one another, but no images of one another.
+    meeting = members if together else ()
+    near = {k: nearest(motion, next(iter(members)), k, start) for k in meeting}
     first = balls.as_float(start)
     span = first, max(first, balls.as_float(end))
     for (i, j), slope in slopes.items():

@@ -764,7 +764,7 @@ def test_a_sample_of_some_parameters(tmp_path: Path, capsys: pytest.CaptureFixtu
         (("--at", "h=0,r=0.03,v=0", "--grid", "r=0.01..0.1:2"), "has no parameter without a value"),
         (("--sample", "0"), "--sample: "),
         (("--sample", "5", "--confidence", "100%"), "--confidence: '100%' is not in (0, 1)"),
-        (("--sample", "5", "--confidence", "100"), "is no share; write a share such as 0.1%"),
+        (("--sample", "5", "--confidence", "100"), "is not in (0, 1); write for example 99%"),
         (
             ("--sample", "5", "--plot", "a.html"),
             "'a.html': a sample is drawn as .svg; write FILE.svg",

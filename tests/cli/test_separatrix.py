@@ -171,11 +171,15 @@ def test_curves_for_several_r(capsys: pytest.CaptureFixture[str], tmp_path: Path
 
 
 def test_what_is_too_long_for_the_checker_is_not_written(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    """The verdict stands, and why there is no certificate."""
     monkeypatch.setattr(separatrix, "MAX_ROWS", 9)
     words = f"separatrix --r 0.03 --at 1/10 --out {tmp_path / 'x'}"
-    assert main(words.split()) == 2
+    assert main(words.split()) == 0
+    out, err = capsys.readouterr()
+    assert "Verdict: proved: f is enclosed to 12 digits" in out
+    assert "no certificate was written: the orbits" in err
     assert list(tmp_path.iterdir()) == []
 
 
@@ -187,3 +191,10 @@ def test_a_point_run_loads_nothing_of_it() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
     assert done.stdout.endswith("\n['verify.spheres', 'verify.spheres.parameters']\n")
+
+
+def test_many_unlike_balls_have_a_certificate(tmp_path: Path) -> None:
+    words = "separatrix --r 9/10 --masses 1/812500,29/49,7/200 --radii 8/3,8600,31/500000"
+    folder = str(tmp_path / "out")
+    assert main([*words.split(), *f"--at 19992901/20000000 --digits 8 --out {folder}".split()]) == 0
+    assert main(["check", "--statement", folder]) == 0

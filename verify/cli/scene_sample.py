@@ -151,7 +151,7 @@ def run_sample(options: Options, limits: Budget, jobs: int) -> int:
 
 
 def _confidence(text: str) -> Fraction:
-    level = share("--confidence", text)
+    level = Fraction(1) if text == "100" else share("--confidence", text)
     if not 0 < level < 1:
         raise InputError(f"--confidence: {shown(text)} is not in (0, 1); write for example 99%")
     return level

@@ -37,6 +37,8 @@ NOT_DECIDED = (
     "what scenes on the curve do, and those of which a tangential speed tends to 0",
 )
 
+#: An exact number with more signs is shown by its digits.
+LONGEST = 60
 #: Digits of what the letters of unlike balls are multiplied by.
 SHOWN_DIGITS = 8
 #: Digits of the ends in a document, beyond those asked for.
@@ -186,8 +188,9 @@ def _a(found: Separatrix) -> str:
 
 
 def _number(ends: Ends, digits: int) -> str:
-    """A number exactly if it is rational, else with its digits."""
-    return exact_number(ends[0]) if ends[0] == ends[1] else short(ends, digits)
+    """A number exactly if it is rational and short, else with its digits."""
+    exact = exact_number(ends[0]) if ends[0] == ends[1] else ""
+    return exact if 0 < len(exact) <= LONGEST else short(ends, digits)
 
 
 def _curve(found: Separatrix) -> Iterator[str]:

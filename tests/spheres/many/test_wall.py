@@ -8,10 +8,12 @@ from fractions import Fraction
 import pytest
 from mpmath import mp
 
+from tests.cli.running import validator
 from tests.spheres.many.simulation import Simulation, number
 from verify.spheres.many.decide import BETWEEN, Ending, decide_system
 from verify.spheres.many.system import System, Wall
 from verify.spheres.scene.decide import COLLAPSES, Budget
+from verify.views.many import many_document
 
 F = Fraction
 MORE = 40
@@ -122,3 +124,10 @@ def test_a_wall_that_loses_too_little(r: str) -> None:
     system = together()
     wall = system.walls[0]._replace(r=F(r))
     assert decide_system(system._replace(walls=(wall,)), Budget(60)).why != BETWEEN
+
+
+def test_its_document_is_of_the_form_that_is_described() -> None:
+    document = many_document(decide_system(together()), None)
+    validator("many").validate(document)
+    assert document["cites"] == []
+    assert document["wall"] == 0

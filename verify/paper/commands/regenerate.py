@@ -46,7 +46,7 @@ def is_right_statement(content: bytes) -> bool:
         return False
     return any(
         outcome.claimed == PROVED and _written(outcome) == content
-        for outcome in _outcomes(theorem, parameters, collisions)
+        for outcome in _outcomes(theorem, parameters, collisions, len(rows))
     )
 
 
@@ -70,14 +70,16 @@ def _written(outcome: Outcome) -> bytes | None:
         return None
 
 
-def _outcomes(theorem: str, parameters: Mapping[str, Term], collisions: int) -> Iterator[Outcome]:
+def _outcomes(
+    theorem: str, parameters: Mapping[str, Term], collisions: int, rows: int
+) -> Iterator[Outcome]:
     """The outcomes that the program makes for a theorem of this name and these parameters."""
     if not parameters:
         yield from (one.decide() for one in THEOREMS if one.name == theorem)
     elif (found := scene.read_back(parameters)) is not None:
         yield from scene.statements_of(found, collisions)
     elif (point := separatrix.read_point(parameters)) is not None:
-        yield from separatrix.outcomes_at(point)
+        yield from separatrix.outcomes_at(point, rows)
     elif box.are_ends(parameters):
         yield box.decide_box(*box.read_box(parameters))
     elif are_allowed(parameters):

@@ -54,8 +54,9 @@ NAMES = ("r", "c", "ratio", "q", "least", "most")
 BALLS = ("m_0", "m_1", "m_2", "R_0", "R_1", "R_2")
 #: Digits of the numbers along an orbit, beyond those of f, and how often they are doubled.
 MORE_DIGITS, DOUBLINGS = 8, 5
-#: The numbers in a step are multiplied; so many times their bits evaluate it without loss.
-FACTORS = 48
+#: The numbers in a step are multiplied; so many bits for each of their digits evaluate it without
+#: loss. Where a and ρ are roots that cannot be: so many are far beyond what rounding leaves.
+FACTORS, FACTORS_OF_ROOTS = 48, 12
 #: Roots in the parameters are rounded at so many times the digits of an orbit.
 ROOT_BITS = 8
 #: The committed point.
@@ -159,7 +160,7 @@ class TooLongError(ValueError):
     """The orbits have more steps than a certificate holds, or no digits sufficed."""
 
 
-def _followed(point: PointParameters, digits: int, *, up: bool) -> list[Step] | None:
+def _followed(point: PointParameters, digits: int, most: int, *, up: bool) -> list[Step] | None:
     """The steps from (q, least) until two of them fall, or from (q, most), rounded down.
 
     Those go on until two of them rise, or no collision follows. None if these digits do not
@@ -171,7 +172,7 @@ def _followed(point: PointParameters, digits: int, *, up: bool) -> list[Step] | 
         found.append(step)
         if way := _direction(found):
             return found if up == (way < 0) else None
-        if len(found) > MAX_ROWS:
+        if len(found) > most:
             raise TooLongError
     return None if up else found
 
@@ -239,15 +240,19 @@ def decide_stored() -> Outcome:
     return decide_value(found)
 
 
-def outcomes_at(point: PointParameters) -> Iterator[Outcome]:
-    """Yield the statement at these parameters, unless its numbers are too long to write."""
+def outcomes_at(point: PointParameters, most: int) -> Iterator[Outcome]:
+    """Yield the statement at these parameters, if it has at most so many rows."""
     with suppress(TooLongError):
-        yield point_outcome(point)
+        yield point_outcome(point, most)
 
 
-def point_outcome(point: PointParameters) -> Outcome:
-    """The statement at these parameters with its proofs, before the checker reads it."""
-    rows, digits = _rows(point)
+def point_outcome(point: PointParameters, most: int | None = None) -> Outcome:
+    """The statement at these parameters with its proofs, before the checker reads it.
+
+    Raises:
+        TooLongError: if an orbit has more collisions than ``most``, or than the checker can read.
+    """
+    rows, digits = _rows(point, MAX_ROWS if most is None else min(most, MAX_ROWS))
     parameters = {name: as_term(value) for name, value in point.values.items()}
     given = [Constant(name, name, name, "", x) for name, x in parameters.items()]
     constants = _constants(point)
@@ -265,7 +270,8 @@ def point_outcome(point: PointParameters) -> Outcome:
             decisions[row.name] = ground.decide(row)._replace(judged=None)
             continue
         givens = _contexts()[row.claim.context.removeprefix(f"{NAME}:")].givens
-        proof = Applying((Interval(FACTORS * digits),) * len(givens))
+        factors = FACTORS_OF_ROOTS if point.of.is_unlike else FACTORS
+        proof = Applying((Interval(factors * digits),) * len(givens))
         session.prove_row(row, proof)
         decisions[row.name] = Decision(PROVED, proof)
     found = {name: ground.enclose(ground.definitions[name]) for name in names}
@@ -310,7 +316,7 @@ def _contexts() -> dict[str, Context]:
     return {context.name: context for context in statement(NAME).contexts}
 
 
-def _rows(point: PointParameters) -> tuple[list[Obligation], int]:
+def _rows(point: PointParameters, most: int) -> tuple[list[Obligation], int]:
     """The rows, and the digits of the numbers in them."""
     exists, at_zero = has_separatrix(point.of), point.least == point.most == 0
     if not exists and at_zero:
@@ -322,13 +328,13 @@ def _rows(point: PointParameters) -> tuple[list[Obligation], int]:
         says = "q ≥ φ⁺: no orbit from there goes on for ever"
         digits = sum(len(str(x)) for x in point.values.values())
         return [_applied(point, "beyond", says, "beyond", 0, {"F": symbol("q")})], digits
-    return _orbit_rows(point)
+    return _orbit_rows(point, most)
 
 
-def _orbit_rows(point: PointParameters) -> tuple[list[Obligation], int]:
+def _orbit_rows(point: PointParameters, most: int) -> tuple[list[Obligation], int]:
     digits = MORE_DIGITS + max(len(str(x.numerator)) for x in (point.least, point.most))
     for _ in range(DOUBLINGS):
-        low, high = (_followed(point, digits, up=up) for up in (True, False))
+        low, high = (_followed(point, digits, most, up=up) for up in (True, False))
         if low is not None and high is not None:
             rows = [*_below(point, low), *_above(point, high, digits)]
             longest = max(len(str(x)) for x in point.values.values())

@@ -15,7 +15,6 @@ from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_certificate, write_file
 from verify.cli.options import CERTIFICATE, COLOR, JSON, ROWS, VERBOSE, Options, Usage, leave_out
 from verify.cli.terminal import show
-from verify.language.errors import UnreadError
 from verify.spheres.limit_map import Parameters
 from verify.spheres.parameters import neg_cos, restitution, three_positive
 from verify.spheres.separatrix import DRAWN_DIGITS, Separatrix, decide_separatrix, staircase
@@ -203,7 +202,7 @@ def _certify(folder: str, found: Separatrix) -> str:
         return ""
     try:
         outcome = decide_value(point)
-    except (TooLongError, UnreadError):
+    except TooLongError:
         why = "the orbits next to f are too long for the checker; ask for fewer --digits"
         print(f"verify: no certificate was written: {why}", file=sys.stderr)
         return ""

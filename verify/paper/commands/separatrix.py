@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import cache
 from math import isqrt
 
-from verify.language.errors import OwnError
+from verify.language.errors import OwnError, UnreadError
 from verify.language.record import Record
 from verify.language.statement import (
     NEEDED,
@@ -62,6 +62,8 @@ ROOT_BITS = 8
 #: The committed point.
 STORED = Parameters(Fraction(3, 100), Fraction(1), Fraction(1)), Fraction(1, 10)
 STORED_DIGITS, STORED_STEPS = 12, 10**6
+#: So many rows, times the digits of the longest number, are not too much for the checker.
+SURELY_FEW = 1000
 #: An orbit with more rows is too much for the checker.
 MAX_ROWS = 1500
 
@@ -221,8 +223,16 @@ def decide_value(point: PointParameters) -> Outcome:
 
     Raises:
         TooLongError: if its orbits are too long for the checker.
+        UnreadError: if the checker does not get to the end of short ones.
     """
-    return judged(point_outcome(point))
+    outcome = point_outcome(point)
+    try:
+        return judged(outcome)
+    except UnreadError as error:
+        digits = max(len(str(value)) for value in point.values.values())
+        if len(outcome.statement.obligations) * digits <= SURELY_FEW:
+            raise
+        raise TooLongError from error
 
 
 def stored_curve() -> tuple[Separatrix, tuple[CurveAt, ...]]:

@@ -122,6 +122,34 @@ def test_rows_are_shown_in_parts_of_their_contexts(row: str, given: str) -> None
     assert verdicts(row, given) == {PROVED}
 
 
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
+        ("(1 + 1/x)^x < e", "1 <= x"),
+        ("(1 - 1/x)^x <= 1/e", "1 < x"),
+        ("log(1 + 1/x) < 1/sqrt(x*(x + 1))", "1 <= x"),
+        ("log(1 - 1/x) < 1/sqrt(x*(x - 1))", "x < -1"),
+        ("x*log(x + 1) - x*log(x) < 1", "1 <= x"),
+        ("1 < sqrt(x^2 + 1)*(pi/2 - arctan(x))", "1 <= x"),
+    ],
+)
+def test_where_both_sides_come_together_far_away(row: str, given: str) -> None:
+    assert verdicts(row, given, 3_000_000) == {PROVED}
+
+
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
+        ("(1 + 1/x)^x < 2.718281", "1 <= x"),
+        ("(1 - 1/x)^x <= 0.367879", "1 < x"),
+        ("log(1 + 1/x) < 1/sqrt(x*(x + 1)) - 1/(25*x^3)", "1 <= x"),
+        ("1.0001 < sqrt(x^2 + 1)*(pi/2 - arctan(x))", "1 <= x"),
+    ],
+)
+def test_what_fails_far_away(row: str, given: str) -> None:
+    assert PROVED not in verdicts(row, given, 1_000_000)
+
+
 def test_a_given_that_only_a_case_defines() -> None:
     page = """
 title = "t"
@@ -227,20 +255,22 @@ def test_names_of_a_page_that_are_like_those_of_cases(names: tuple[str, str, str
     assert {decision.verdict for _, decision in found.rows} == {PROVED}
 
 
-def test_contexts_of_a_page_that_are_called_like_parts() -> None:
-    page = """
+@pytest.mark.parametrize(("given", "other"), [("", "part1"), ("x > 0", "inverse")])
+def test_contexts_of_a_page_that_are_called_like_parts(given: str, other: str) -> None:
+    page = f"""
 title = "t"
 [contexts.c]
 variables = ["x"]
 given = ["x <= 5"]
-rows = { main = { claim = "x^2 + 1 > 0", by = "parts" } }
-[contexts."c.part1"]
+rows = {{ main = {{ claim = "x^2 + 1 > 0", by = "parts" }} }}
+[contexts."c.{other}"]
 variables = ["x"]
-rows = { p1 = "x^2 + 1 > 0" }
+given = {[given] if given else []}
+rows = {{ p1 = "x^2 + 1 > 0" }}
 [contexts."c.part2"]
 variables = ["x"]
-rows = { p2 = "x^2 + 1 > 0" }
-"""
+rows = {{ p2 = "x^2 + 1 > 0" }}
+""".replace("'", '"')
     found = decide_page(read_page_of("a.toml", page.encode(), {}), WorkBudget(WORK))
     reasons = {row.name: decision.reason for row, decision in found.rows}
     assert "Error" not in reasons["main"]

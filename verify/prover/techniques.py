@@ -52,6 +52,7 @@ FREE = (
     Technique("interval", _from("enclosures", "by_interval")),
 )
 PARTS = Technique("parts of a context", _from("parts", "by_parts"))
+INVERSES = Technique("inverses of variables", _from("inverses", "by_inverses"))
 LAWS = Technique("laws", _from("laws", "by_laws"))
 ELEMENTARY = Technique("elementary", _from("elementary", "by_elementary"))
 #: For equations.
@@ -187,6 +188,8 @@ def _stages(goal: Goal, known: Universal) -> Iterator[tuple[Question, tuple[Tech
     question = Question(goal, known)
     if f"{goal.context}.part1" in known.contexts:
         yield question, (PARTS,)
+    if f"{goal.context}.inverse" in known.contexts:
+        yield question, (INVERSES,)
     if goal.claim.relation == "=":
         yield from _of_equation(question)
         return

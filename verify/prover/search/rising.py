@@ -52,11 +52,36 @@ def by_monotony(question: Question) -> Proof | None:
 
 
 def _valued(side: Term, other: Term) -> Term:
-    """The side, or for 1 beside an exponential (and the like) the same function of a number."""
+    """The side, or for 1 beside an exponential (and the like) the same function of a number.
+
+    Beside an exponential a product or quotient of others is an exponential, too.
+    """
     value, at = VALUES.get(other.op, (None, 0))
+    if other.op == "exp" and side.op in ("mul", "div", "pow"):
+        found = _exponential(side)
+        return side if found is None else found
     if side.op != "rational" or side.value != value or not names_of(other):
         return side
     return Term(other.op, as_term(at))
+
+
+def _exponential(product: Term) -> Term | None:
+    """The exponential that a product of powers of exponentials is."""
+    try:
+        clearing = Clearing((product,), {})
+        parts = clearing.clear(product)
+    except TooLongError:
+        return None
+    total = as_term(0)
+    for sign, part in zip((1, -1), parts, strict=True):
+        if len(part) != 1 or part.leading_coefficient() != 1:
+            return None
+        for atom, power in zip(clearing.atoms, part.degrees(), strict=True):
+            if power and atom.op != "exp":
+                return None
+            if power:
+                total += sign * int(power) * atom.children[0]
+    return Term("exp", total)
 
 
 def by_same_arguments(question: Question) -> Proof | None:

@@ -140,6 +140,35 @@ def test_where_both_sides_come_together_far_away(row: str, given: str) -> None:
 @pytest.mark.parametrize(
     ("row", "given"),
     [
+        ("x^a <= 1 + a*(x - 1)", "0 < x; 0 <= a <= 1"),
+        ("exp(a*x) <= 1 + a*(exp(x) - 1)", "0 <= x; 0 <= a <= 1"),
+        ("cosh(x) <= exp(x^2/2)", ""),
+        ("(x + y)*log((x + y)/2) <= x*log(x) + y*log(y)", "0 < x; 0 < y"),
+        ("exp(x - x^2) <= 1/e*exp(1)", "1 < x"),
+        ("x*exp(-x) <= exp(-1)", "0 < x"),
+    ],
+)
+def test_convex_functions_and_their_tangents(row: str, given: str) -> None:
+    assert verdicts(row, given, 3_000_000) == {PROVED}
+
+
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
+        ("x^a <= 1 + a*(x - 1)", "0 < x; 0 <= a <= 1.01"),
+        ("exp(a*x) <= 1 + a*(exp(x) - 1)", "-0.01 <= a <= 1"),
+        ("cosh(x) <= exp(0.499*x^2)", ""),
+        ("(x + y)*log((x + y)/2) <= x*log(x) + 0.999*y*log(y)", "1 < x; 1 < y"),
+        ("exp(x - x^2) <= 0.999", "1/2 < x"),
+    ],
+)
+def test_what_is_no_tangent(row: str, given: str) -> None:
+    assert PROVED not in verdicts(row, given, 1_000_000)
+
+
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
         ("(1 + 1/x)^x < 2.718281", "1 <= x"),
         ("(1 - 1/x)^x <= 0.367879", "1 < x"),
         ("log(1 + 1/x) < 1/sqrt(x*(x + 1)) - 1/(25*x^3)", "1 <= x"),

@@ -9,8 +9,9 @@ far away there is one context, of the inverse of the variable.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import combinations
 
 from verify.language.record import Record
 from verify.language.statement import NEEDED, Context, Given, Obligation, Statement
@@ -251,19 +252,22 @@ def names_in(order: Order) -> set[str]:
 
 
 def _meetings(context: Context, claim: Claim) -> Iterator[Order]:
-    """The variable and numbers at which both sides of a claim nearly meet."""
+    """Two variables, or the variable and numbers, at which both sides of a claim nearly meet."""
     names = sorted({*names_of(claim.lhs, claim.rhs)})
-    if claim.relation == "=" or len(names) not in (1, 2):
+    bounds = bounds_of(context)
+    if claim.relation == "=" or not all(name in bounds for name in names):
         return
-    if len(names) == 2:
-        if _meets_where_equal(context, claim, names):
-            yield Order(symbol(names[0]), symbol(names[1]))
-        return
-    (name,) = names
-    bounds = bounds_of(context).get(name)
-    if bounds is None:
-        return
-    values = estimates([name], [claim.lhs, claim.rhs], {})
+    if len(names) == 1:
+        yield from (Order(symbol(names[0]), n) for n in _numbers(bounds[names[0]], claim, names))
+    elif len(names) in (2, 3):
+        for pair in combinations(names, 2):
+            if _meets_where_equal(bounds, claim, [*pair, *(n for n in names if n not in pair)]):
+                yield Order(symbol(pair[0]), symbol(pair[1]))
+
+
+def _numbers(bounds: Bounds, claim: Claim, names: Sequence[str]) -> Iterator[Term]:
+    """The irrational numbers of simple form at which both sides nearly meet."""
+    values = estimates(names, [claim.lhs, claim.rhs], {})
 
     def gap(x: float) -> float:
         try:
@@ -279,18 +283,16 @@ def _meetings(context: Context, claim: Claim) -> Iterator[Order]:
             x = _least(gap, points[i - 1], points[i + 1])
             number = _number(x) if abs(gap(x)) < NEAR else None
             if number is not None:
-                yield Order(symbol(name), number)
+                yield number
 
 
-def _meets_where_equal(context: Context, claim: Claim, names: Sequence[str]) -> bool:
-    """Whether both sides seem to be equal wherever two variables are."""
-    bounds = bounds_of(context)
-    if not all(name in bounds for name in names):
-        return False
+def _meets_where_equal(bounds: Mapping[str, Bounds], claim: Claim, names: Sequence[str]) -> bool:
+    """Whether both sides seem to be equal wherever the first two variables are."""
     values, found = estimates(names, [claim.lhs, claim.rhs], {}), 0
-    for x in _between(bounds[names[0]]):
+    rest = [[*_between(bounds[name])] for name in names[2:]]
+    for i, x in enumerate(_between(bounds[names[0]])):
         try:
-            low, high = values(x, x)
+            low, high = values(x, x, *(points[i * 7 % len(points)] for points in rest))
         except (ArithmeticError, ValueError, TypeError):
             continue
         if abs(high - low) > NEAR * (abs(low) + abs(high) + NEAR):

@@ -96,6 +96,7 @@ SEARCHES = (
     Technique("a small tree", _from("tree", "by_tree")),
     Technique("cosines", partial(_cosines, near=False)),
     Technique("definitions written out", _from("written_out", "by_definitions")),
+    Technique("logarithms of both sides", _from("rising", "by_logarithms")),
     Technique("growth", _from("growth", "by_growth")),
     LAWS,
     ELEMENTARY,

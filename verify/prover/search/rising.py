@@ -17,7 +17,7 @@ from math import comb
 from flint import fmpq_mpoly
 
 from verify.language.fold import replaced
-from verify.language.terms import Claim, Term, as_term, equal, names_of
+from verify.language.terms import Claim, Term, as_term, equal, exp, log, names_of, parts_of
 from verify.prover.balls import fmpq_of, fraction_of
 from verify.prover.clearing import ROOTS, Clearing, TooLongError, atoms_of, coefficients, index_of
 from verify.prover.proof import Proof, Value, power_of, product_of
@@ -59,29 +59,68 @@ def _valued(side: Term, other: Term) -> Term:
     value, at = VALUES.get(other.op, (None, 0))
     if other.op == "exp" and side.op in ("mul", "div", "pow"):
         found = _exponential(side)
-        return side if found is None else found
+        is_other = found is not None and found[0] == 1 and found[1] not in parts_of(side)
+        return found[1] if found is not None and is_other else side
     if side.op != "rational" or side.value != value or not names_of(other):
         return side
     return Term(other.op, as_term(at))
 
 
-def _exponential(product: Term) -> Term | None:
-    """The exponential that a product of powers of exponentials is."""
+def _exponential(product: Term) -> tuple[Fraction, Term] | None:
+    """The number and the exponential whose product a product of numbers and exponentials is."""
     try:
         clearing = Clearing((product,), {})
-        parts = clearing.clear(product)
+        above, below = clearing.clear(product)
     except TooLongError:
         return None
-    total = as_term(0)
-    for sign, part in zip((1, -1), parts, strict=True):
-        if len(part) != 1 or part.leading_coefficient() != 1:
-            return None
+    if len(above) != 1 or len(below) != 1:
+        return None
+    total: Term | None = None
+    for sign, part in ((1, above), (-1, below)):
         for atom, power in zip(clearing.atoms, part.degrees(), strict=True):
-            if power and atom.op != "exp":
+            if power <= 0:
+                continue
+            if atom.op != "exp":
                 return None
-            if power:
-                total += sign * int(power) * atom.children[0]
-    return Term("exp", total)
+            exponent = _times(sign * int(power), atom.children[0])
+            total = exponent if total is None else total + exponent
+    number = fraction_of(above.leading_coefficient() / below.leading_coefficient())
+    return None if total is None else (number, exp(total))
+
+
+def _times(number: int, term: Term) -> Term:
+    return term if number == 1 else -term if number == -1 else as_term(number) * term
+
+
+def _logarithm(side: Term) -> Term | None:
+    """The logarithm of a product of a positive number and exponentials."""
+    found = _exponential(side)
+    if found is None or found[0] <= 0:
+        return None
+    exponent: Term = found[1].children[0]
+    return exponent if found[0] == 1 else log(found[0]) + exponent
+
+
+def by_logarithms(question: Question) -> Proof | None:
+    """One side is an exponential, perhaps times a number, and the other one is positive."""
+    claim, known, place = question.plain.claim, question.known, question.goal.context
+    if claim.relation not in ("<", "<="):
+        return None
+    sides = (claim.lhs, claim.rhs)
+    found = [_logarithm(side) for side in sides]
+    is_moving = [any(part.op == "exp" and [*names_of(part)] for part in parts_of(s)) for s in sides]
+    wanted = [log(side) if f is None else f for side, f in zip(sides, found, strict=True)]
+    if all(f is None or not moves for f, moves in zip(found, is_moving, strict=True)):
+        return None
+    if None not in found or not known.clears((*map(log, sides), *wanted), place):
+        return None
+    fact = question.fact(Claim(claim.relation, *wanted))
+    if fact is None:
+        return None
+    pairs = [(log(side), f) for side, f in zip(sides, wanted, strict=True) if log(side) != f]
+    laws = [question.fact(equal(*pair)) for pair in pairs]
+    using = tuple(law for law in laws if law is not None)
+    return Monotony(Sum(("goal", fact), using), "log") if len(using) == len(laws) else None
 
 
 def by_same_arguments(question: Question) -> Proof | None:

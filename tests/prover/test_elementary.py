@@ -167,6 +167,32 @@ def test_what_is_no_tangent(row: str, given: str) -> None:
 
 
 @pytest.mark.parametrize(
+    "row",
+    [
+        "sin(x) + sin(2*x)/2 <= 3*sqrt(3)/4",
+        "sin(x)*cos(x)^2 <= 2*sqrt(3)/9",
+        "cos(x) + sqrt(3)*sin(x) <= 2",
+        "-1 - 3*sqrt(3)/4 <= sin(x) - cos(y) - sin(x)*cos(x)",
+    ],
+)
+def test_sines_that_are_sharp_where_they_are_no_rational_numbers(row: str) -> None:
+    assert verdicts(row, "") == {PROVED}
+
+
+@pytest.mark.parametrize(
+    "row",
+    [
+        "sin(x) + sin(2*x)/2 <= 1.299",
+        "sin(x)*cos(x)^2 < 2*sqrt(3)/9",
+        "cos(x) + sqrt(3)*sin(x) < 2",
+        "-1 - 3*sqrt(3)/4 <= sin(x) - 1.0001*cos(y) - sin(x)*cos(x)",
+    ],
+)
+def test_sines_beyond_what_is_sharp(row: str) -> None:
+    assert PROVED not in verdicts(row, "", 1_000_000)
+
+
+@pytest.mark.parametrize(
     ("row", "given"),
     [
         ("(1 + 1/x)^x < 2.718281", "1 <= x"),

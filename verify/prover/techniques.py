@@ -93,6 +93,7 @@ TIDY = (SUMS, PRODUCTS, (NORMAL_FORM,))
 #: For claims that no estimate refutes.
 SEARCHES = (
     Technique("cosines", partial(_cosines, near=True)),
+    Technique("circles", _from("circles", "by_circles")),
     Technique("a small tree", _from("tree", "by_tree")),
     Technique("cosines", partial(_cosines, near=False)),
     Technique("definitions written out", _from("written_out", "by_definitions")),

@@ -146,6 +146,9 @@ def test_where_both_sides_come_together_far_away(row: str, given: str) -> None:
         ("(x + y)*log((x + y)/2) <= x*log(x) + y*log(y)", "0 < x; 0 < y"),
         ("exp(x - x^2) <= 1/e*exp(1)", "1 < x"),
         ("x*exp(-x) <= exp(-1)", "0 < x"),
+        ("exp(x*log(x))*(x + 1) <= exp((x + 1)*log(x + 1))", "1 <= x"),
+        ("x + 2 <= 2^(x + 1)", "1 <= x; x + 1 <= 2^x"),
+        ("1 + 1 <= exp(1*log(2)) + 0*x", ""),
     ],
 )
 def test_convex_functions_and_their_tangents(row: str, given: str) -> None:
@@ -160,6 +163,7 @@ def test_convex_functions_and_their_tangents(row: str, given: str) -> None:
         ("cosh(x) <= exp(0.499*x^2)", ""),
         ("(x + y)*log((x + y)/2) <= x*log(x) + 0.999*y*log(y)", "1 < x; 1 < y"),
         ("exp(x - x^2) <= 0.999", "1/2 < x"),
+        ("x + 3 <= 2^(x + 1)", "1 <= x; x + 1 <= 2^x"),
     ],
 )
 def test_what_is_no_tangent(row: str, given: str) -> None:

@@ -59,33 +59,40 @@ def _valued(side: Term, other: Term) -> Term:
     value, at = VALUES.get(other.op, (None, 0))
     if other.op == "exp" and side.op in ("mul", "div", "pow"):
         found = _exponential(side)
-        is_other = found is not None and found[0] == 1 and found[1] not in parts_of(side)
+        is_other = found is not None and found[0] == as_term(1) and found[1] not in parts_of(side)
         return found[1] if found is not None and is_other else side
     if side.op != "rational" or side.value != value or not names_of(other):
         return side
     return Term(other.op, as_term(at))
 
 
-def _exponential(product: Term) -> tuple[Fraction, Term] | None:
-    """The number and the exponential whose product a product of numbers and exponentials is."""
+def _exponential(product: Term) -> tuple[Term, Term] | None:
+    """What stands before the exponential in a product with exponentials, and this one.
+
+    None if there is no exponential, or another one in what stands before it.
+    """
     try:
         clearing = Clearing((product,), {})
-        above, below = clearing.clear(product)
+        parts = [*clearing.clear(product)]
     except TooLongError:
         return None
-    if len(above) != 1 or len(below) != 1:
-        return None
     total: Term | None = None
-    for sign, part in ((1, above), (-1, below)):
-        for atom, power in zip(clearing.atoms, part.degrees(), strict=True):
-            if power <= 0:
-                continue
-            if atom.op != "exp":
+    for index, atom in enumerate(clearing.atoms):
+        if atom.op != "exp":
+            continue
+        for i, sign in ((0, 1), (1, -1)):
+            powers = coefficients(parts[i], index)
+            if len(powers) != 1:
                 return None
-            exponent = _times(sign * int(power), atom.children[0])
-            total = exponent if total is None else total + exponent
-    number = fraction_of(above.leading_coefficient() / below.leading_coefficient())
-    return None if total is None else (number, exp(total))
+            (power,) = powers
+            if power:
+                parts[i] = powers[power]
+                exponent = _times(sign * power, atom.children[0])
+                total = exponent if total is None else total + exponent
+    if total is None:
+        return None
+    above, below = map(clearing.term, parts)
+    return (above if below == as_term(1) else above / below), exp(total)
 
 
 def _times(number: int, term: Term) -> Term:
@@ -93,16 +100,16 @@ def _times(number: int, term: Term) -> Term:
 
 
 def _logarithm(side: Term) -> Term | None:
-    """The logarithm of a product of a positive number and exponentials."""
+    """The logarithm of a product with exponentials."""
     found = _exponential(side)
-    if found is None or found[0] <= 0:
+    if found is None:
         return None
     exponent: Term = found[1].children[0]
-    return exponent if found[0] == 1 else log(found[0]) + exponent
+    return exponent if found[0] == as_term(1) else log(found[0]) + exponent
 
 
 def by_logarithms(question: Question) -> Proof | None:
-    """One side is an exponential, perhaps times a number, and the other one is positive."""
+    """One side is a product with an exponential, and both are positive."""
     claim, known, place = question.plain.claim, question.known, question.goal.context
     if claim.relation not in ("<", "<="):
         return None
@@ -112,7 +119,7 @@ def by_logarithms(question: Question) -> Proof | None:
     wanted = [log(side) if f is None else f for side, f in zip(sides, found, strict=True)]
     if all(f is None or not moves for f, moves in zip(found, is_moving, strict=True)):
         return None
-    if None not in found or not known.clears((*map(log, sides), *wanted), place):
+    if not known.clears((*map(log, sides), *wanted), place):
         return None
     fact = question.fact(Claim(claim.relation, *wanted))
     if fact is None:

@@ -152,7 +152,7 @@ def test_where_both_sides_come_together_far_away(row: str, given: str) -> None:
     ],
 )
 def test_convex_functions_and_their_tangents(row: str, given: str) -> None:
-    assert verdicts(row, given, 3_000_000) == {PROVED}
+    assert verdicts(row, given) == {PROVED}
 
 
 @pytest.mark.parametrize(

@@ -114,6 +114,8 @@ def by_logarithms(question: Question) -> Proof | None:
     if claim.relation not in ("<", "<="):
         return None
     sides = (claim.lhs, claim.rhs)
+    if all((pair := _exponential(side)) and pair[0] == as_term(1) for side in sides):
+        return None  # monotony compares these
     found = [_logarithm(side) for side in sides]
     is_moving = [any(part.op == "exp" and [*names_of(part)] for part in parts_of(s)) for s in sides]
     wanted = [log(side) if f is None else f for side, f in zip(sides, found, strict=True)]

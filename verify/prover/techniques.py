@@ -188,10 +188,8 @@ def _nothing() -> None:
 def _stages(goal: Goal, known: Universal) -> Iterator[tuple[Question, tuple[Technique, ...]]]:
     """What is tried on which form of the goal; the next is looked at if nothing is found."""
     question = Question(goal, known)
-    if f"{goal.context}.part1" in known.contexts:
-        yield question, (PARTS,)
-    if f"{goal.context}.inverse" in known.contexts:
-        yield question, (INVERSES,)
+    if known.contexts.keys() & {f"{goal.context}.part1", f"{goal.context}.inverse"}:
+        yield question, (PARTS, INVERSES)
     if goal.claim.relation == "=":
         yield from _of_equation(question)
         return

@@ -56,7 +56,9 @@ class _Circles:
         """The first that is found."""
         if not self.question.known.clears(self.claim.key[1:], self.question.goal.context):
             return None
-        if int(self.p.total_degree()) > MAX_DEGREE:
+        atoms = {f(angle) for angle in self.laws for f in (sin, cos)}
+        others = [a for a in self.clearing.atoms if [*names_of(a)] and a not in atoms]
+        if int(self.p.total_degree()) > MAX_DEGREE or any(map(self._occurs, others)):
             return None
         alone = self._without_lone_functions()
         if alone is not None or len(self.laws) != 1:

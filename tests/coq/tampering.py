@@ -627,8 +627,7 @@ def modules(parts: dict[str, str]) -> dict[str, str]:
 
 def first_that_fails(directory: Path, parts: dict[str, str]) -> str:
     """The first of some files that does not compile, each beside those before it; or empty."""
-    compiled = (directory / "Meaning.vo").resolve().parent
-    return session(compiled).first_that_fails(modules(parts))
+    return session(directory).first_that_fails(modules(parts))
 
 
 def changed(way: Definition) -> str:
@@ -812,6 +811,8 @@ def another_scene(name: str, directory: Path) -> bool:
 
 
 Way = tuple[str, Callable[[str, Path], bool]]
+#: These ask the one toplevel, and write no file.
+IN_SESSION = (definition, spelled, printed_set, other_page, the_same_definition)
 
 
 def ways() -> list[Way]:
@@ -833,8 +834,8 @@ def tried(source: Path, way: Way) -> str:
     """A line if a way is not seen."""
     name, judge = way
     with tempfile.TemporaryDirectory() as path:
-        directory = Path(path)
-        for file in source.glob("*.v*"):
+        directory = source if judge in IN_SESSION else Path(path)
+        for file in source.glob("*.v*") if directory != source else ():
             if file.suffix in (".v", ".vo"):
                 (directory / file.name).symlink_to(file)
         try:

@@ -359,7 +359,9 @@ OTHERS = {
         "minus_cosine_at d (scenes n) o a c <= 1.",
     ),
     "run-line-others-meet": Definition(
-        "Bounds", "meets_next d radius (scenes n) o b t /\\", "0 < t /\\"
+        "Bounds",
+        "meets_next d radius (scenes n) o b t /\\",
+        "distance d (later t (scenes n)) o b = radius o + radius b /\\",
     ),
     "run-line-in-the-plane": Definition("Bounds", "(1 <= d)%nat -> 0 < m", "(2 <= d)%nat -> 0 < m"),
     "run-end": Definition("Bounds", "0 < r <= 7 - 4", "0 < r <= 6 - 4"),

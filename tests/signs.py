@@ -184,6 +184,30 @@ so(
     "they are if r > 7 - 4√3; if r > 9 - 4√5 and the",
     has("verify/coq/PinnedClassification.v", "7 - 4 * sqrt 3 < r \\/ 9 - 4 * sqrt 5 < r /\\"),
 )
+B = "verify/coq/PinnedBounds.v"
+so(
+    P,
+    "A ≤ 0 always, L = 0, and the",
+    has(
+        "verify/coq/PinnedClassification.v",
+        "over_pairs mass (rate d (places n) (velocities n)) <= 0",
+        "over_pairs mass (moment (places n) (velocities n) k l) = 0",
+    ),
+)
+so(P, "the balls 0, …, `last`", has(B, "(i n <= last)%nat /\\ (j n <= last)%nat"))
+so(P, "Σσ J ≤ R e - A, as", has(B, "sum_f_R0 (fun m => sigma (i m) (j m) * J m) n <="))
+so(
+    P,
+    "s₀ = 0, s₁ = 1, s_{n+2} = a s_{n+1} - r s_n",
+    has(B, "s 0%nat = 0 /\\ s 1%nat = 1 /\\ forall n, s (S (S n)) = a * s (S n) - r * s n"),
+)
+so(
+    P,
+    "if (1+r)/2 (-cos θ_n) ≤ a for n from 2 to k-1, then s_n > 0 for n from 1 to k-1",
+    has(B, "(2 <= n < k)%nat -> (1 + r) / 2 *", "forall n, (1 <= n < k)%nat -> 0 < s n"),
+)
+so(P, "with a = (1+r)/2 there", has(B, "compares ((1 + r) / 2) r s -> (forall n"))
+so(P, "for 0 < r ≤ 7 - 4√3 and", has(B, "0 < r <= 7 - 4 * sqrt 3 -> compares ((1 + r) / 2) r s"))
 so(
     "docs/explanation/classification.md",
     "for every r < 1 there",

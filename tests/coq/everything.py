@@ -46,9 +46,10 @@ POINTS = (
 )
 #: Which collapses there are, what becomes of scenes, and the spectrum.
 COLLAPSES = (
-    "no_triangle", "least_angle", "least_angle_in_time", "bounded_impulse", "no_spin",
-    "finite_or_endless", "finite_if",
+    "no_triangle", "least_angle", "least_angle_any_radii", "never_any_radii", "bounded_impulse",
+    "no_spin", "comes_to_rest", "finite_or_endless", "finite_if",
 )  # fmt: skip
+BOUNDS = ("exchange_theorem", "run_theorem", "run_on_a_line", "run_without_end")
 THREE_BALLS = ("three_balls_theorem", "stairs_theorem", "three_equal_balls", "law_theorem")
 OUTSIDE = ("next_theorem", "outside_theorem", "floor_theorem", "no_collapse")
 MATRIX = ("basis_theorem", "matrix_theorem", "stated_theorem", "one_triple_theorem")
@@ -238,9 +239,11 @@ def everything(folders: list[Path]) -> str:
         "Definition printed_set : PinnedPrintedSet.printed_set_theorem",
         "  := PinnedPrintedSet.printed_set_proved.",
         "From Verify Require PinnedClassification PinnedPrintedSign PinnedSpectrum PinnedLine",
-        "  PinnedThreeBalls PinnedSandwich PinnedOutside.",
+        "  PinnedThreeBalls PinnedSandwich PinnedOutside PinnedBounds.",
         f"Definition classification : {conjunction('PinnedClassification.', COLLAPSES)}",
         "  := PinnedClassification.classification_proved.",
+        f"Definition bounds : {conjunction('PinnedBounds.', BOUNDS)}",
+        "  := PinnedBounds.bounds_proved.",
         "Definition line : PinnedLine.line_theorem /\\ PinnedLine.equal_on_a_line",
         "  := PinnedLine.line_proved.",
         f"Definition three_balls : {conjunction('PinnedThreeBalls.', THREE_BALLS)}",
@@ -275,8 +278,8 @@ def everything(folders: list[Path]) -> str:
     names = "".join(f", true_{name}" for name in own)
     main = f"soundness, files, theorem_1, point, angle, {', '.join(map(compiled, scenes))}"
     main += ", Pinned.collapsing_scene, printed_set, separatrix, discharged, classification"
-    main += ", line, three_balls, sandwich, outside, printed_sign, not_as_printed, matrix, spectrum"
-    main += ", PinnedPrintedSign.false_for_all"
+    main += ", bounds, line, three_balls, sandwich, outside, printed_sign, not_as_printed, matrix"
+    main += ", spectrum, PinnedPrintedSign.false_for_all"
     lines.append(f"Definition everything := ({main}{names}).")
     return "\n".join([*lines, "Print Assumptions everything.", ""])
 

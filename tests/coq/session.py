@@ -14,8 +14,10 @@ from typing import IO
 LIBRARIES = (
     "From Coq Require Reals Lra Psatz List Arith Lia ZArith QArith FunctionalExtensionality."
 )
-#: The state after these, as Coq counts: the sentence above, and that goals are not shown.
-READY = 3
+#: What many of the pages use of what is compiled, with all that it needs: it is loaded once, too.
+PAGE = "From Verify Require Pinned."
+#: The state after these, as Coq counts: the two sentences above, and that goals are not shown.
+READY = 4
 #: An answer comes within so many seconds.
 PATIENCE = 300
 
@@ -29,7 +31,7 @@ class Session:
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
         )  # fmt: skip
         atexit.register(self.close)  # its time is counted when it has ended
-        if self.fails(f"{LIBRARIES}\nSet Silent."):
+        if self.fails(f"{LIBRARIES}\n{PAGE}\nSet Silent."):
             raise ValueError("the libraries cannot be loaded")
 
     def close(self) -> None:

@@ -241,19 +241,136 @@ OTHERS = {
     ),
     "collapse-radii-of-one": Definition(
         "Classification",
-        "strikes d (fun _ => m) radius scenes time i j ->",
-        "strikes d (fun _ => m) (fun _ => 1) scenes time i j ->",
+        "strikes d (fun _ => m) radius scenes time i j -> restituted d r scenes time i j ->",
+        "strikes d (fun _ => m) (fun _ => 1) scenes time i j -> restituted d r scenes time i j ->",
     ),
     "collapse-radii-elastic": Definition(
         "Classification", "    - r * rate d (later", "    - r * r * rate d (later"
     ),
-    "collapse-radii-in-no-time": Definition(
+    "collapse-radii-in-time": Definition(
         "Classification",
-        "restituted d r scenes time i j -> Un_cv time T ->",
-        "restituted d r scenes time i j -> Un_cv time (- T) -> T = 0 ->",
+        "0 < r <= 1 ->\n  strikes d (fun _ => m) radius scenes time i j ->",
+        "0 < r <= 1 -> (exists T, Un_cv time T) ->\n"
+        "  strikes d (fun _ => m) radius scenes time i j ->",
     ),
-    "collapse-acute": Definition("Classification", "(to at_T o c) <= 0", "(to at_T o c) <= 1"),
-    "collapse-at-no-r": Definition("Classification", "7 - 4 * sqrt 3 < r", "8 - 4 * sqrt 3 < r"),
+    "collapse-radii-at-no-r": Definition(
+        "Classification",
+        "7 - 4 * sqrt 3 < r <= 1 ->\n  strikes",
+        "8 - 4 * sqrt 3 < r <= 1 ->\n  strikes",
+    ),
+    "rest-in-time": Definition(
+        "Classification",
+        "scenes time i j -> ~ (exists T, Un_cv time T) ->",
+        "scenes time i j -> (exists T, Un_cv time T) ->",
+    ),
+    "rest-of-equal-masses": Definition(
+        "Classification",
+        "strikes d mass radius scenes time i j -> ~ (exists",
+        "strikes d (fun _ => mass B0) radius scenes time i j -> ~ (exists",
+    ),
+    "rest-recedes": Definition(
+        "Classification", "(rate d (scenes n)) <= 0) /\\", "(rate d (scenes n)) <= 1) /\\"
+    ),
+    "rest-later": Definition(
+        "Classification",
+        "(forall n, over_pairs mass (rate d (scenes n))",
+        "(exists n, over_pairs mass (rate d (scenes n))",
+    ),
+    "rest-spins": Definition(
+        "Classification", "(moment (scenes n) k l) = 0)", "(moment (scenes n) k k) = 0)"
+    ),
+    "rest-without-weights": Definition(
+        "Classification", "mass B1 * mass B2 * f B1 B2.", "mass B1 * mass B1 * f B1 B2."
+    ),
+    "rest-moves": Definition(
+        "Classification", "  stops d scenes /\\\n  (forall n", "  (forall n"
+    ),
+    "the-same-bounds": Definition("Bounds", "", ""),
+    "bounds-of-no-mass": Definition(
+        "Bounds", "J, (forall b, 0 < mass b)", "J, (forall b, mass b < 0)"
+    ),
+    "bounds-three-balls": Definition(
+        "Bounds", "  forall d last mass sigma", "  let last := 2%nat in forall d mass sigma"
+    ),
+    "bounds-in-the-plane": Definition(
+        "Bounds", "  forall d last mass sigma", "  let d := 2%nat in forall last mass sigma"
+    ),
+    "bounds-wins-energy": Definition(
+        "Bounds", "<= - opening (x (S n)) (v n) (i n) (j n).", "<= opening (x n) (v n) (i n) (j n)."
+    ),
+    "bounds-in-flight": Definition("Bounds", "    0 <= t n /\\", "    0 < t n /\\"),
+    "bounds-one-way": Definition(
+        "Bounds", "v n (j n) k + J n / mass (j n)", "v n (j n) k - J n / mass (j n)"
+    ),
+    "bounds-larger": Definition(
+        "Bounds", "- product d last mass x_0 v_0) /\\", "+ product d last mass x_0 x_0) /\\"
+    ),
+    "bounds-each": Definition(
+        "Bounds", "exists bound, forall n, sum_f_R0 J n <=", "exists bound, forall n, J n <="
+    ),
+    "bounds-speeds": Definition(
+        "Bounds",
+        "sum_f_R0 (fun m => - opening d (x (S m)) (v m)",
+        "sum_f_R0 (fun m => - opening d (x m) (v m)",
+    ),
+    "bounds-no-limit": Definition(
+        "Bounds", "exists l, Un_cv (fun n => v n b k) l", "exists l, Un_cv (fun n => v 0%nat b k) l"
+    ),
+    "bounds-another-frame": Definition(
+        "Bounds", "x b k - weighted x k / sum_f_R0 mass last.", "x b k - weighted x k."
+    ),
+    "bounds-turning": Definition(
+        "Bounds", "(x b k * v b l - x b l * v b k)) last.", "(x b k * v b l - x b k * v b l)) last."
+    ),
+    "run-in-the-plane": Definition(
+        "Bounds",
+        "run_theorem : Prop :=\n  forall d m",
+        "run_theorem : Prop :=\n  let d := 2%nat in forall m",
+    ),
+    "run-elastic": Definition(
+        "Bounds",
+        "0 < r <= 1 ->\n  distinct_balls o a c -> run d",
+        "r = 1 ->\n  distinct_balls o a c -> run d",
+    ),
+    "run-another-order": Definition(
+        "Bounds",
+        "Prop :=\n  forall n, (n < k)%nat -> let b := if Nat.even n then c else a in",
+        "Prop :=\n  forall n, (n < k)%nat -> let b := if Nat.even n then a else c in",
+    ),
+    "run-parts": Definition("Bounds", "o b = - r * rate d", "o b <= - r * rate d"),
+    "run-bent-later": Definition("Bounds", "(2 <= n < k)%nat", "(1 <= n < k)%nat"),
+    "run-longer": Definition(
+        "Bounds",
+        "o a c <= most) ->\n  forall n, (1 <= n < k)%nat",
+        "o a c <= most) ->\n  forall n, (1 <= n < k - 1)%nat",
+    ),
+    "run-at-least": Definition(
+        "Bounds", "(1 <= n < k)%nat -> 0 < s most r n.", "(1 <= n < k)%nat -> 0 <= s most r n."
+    ),
+    "run-another-sequence": Definition("Bounds", "(q, a * q - r * p)", "(q, a * q - p)"),
+    "run-line-longer": Definition(
+        "Bounds",
+        "(forall n, (1 <= n < k)%nat -> 0 < s ((1 + r) / 2) r n) ->",
+        "(forall n, (1 <= n <= k)%nat -> 0 < s ((1 + r) / 2) r n) ->",
+    ),
+    "run-line-bent": Definition(
+        "Bounds",
+        "minus_cosine_at d (scenes n) o a c = 1.",
+        "minus_cosine_at d (scenes n) o a c <= 1.",
+    ),
+    "run-line-others-meet": Definition(
+        "Bounds",
+        "meets_next d radius (scenes n) o b t /\\",
+        "distance d (later t (scenes n)) o b = radius o + radius b /\\",
+    ),
+    "run-line-in-the-plane": Definition("Bounds", "(1 <= d)%nat -> 0 < m", "(2 <= d)%nat -> 0 < m"),
+    "run-end": Definition("Bounds", "0 < r <= 7 - 4", "0 < r <= 6 - 4"),
+    "collapse-acute": Definition(
+        "Classification", "(to at_T o c) <= 0.\n\n", "(to at_T o c) <= 1.\n\n"
+    ),
+    "collapse-at-no-r": Definition(
+        "Classification", "time i j, 7 - 4 * sqrt 3 < r", "time i j, 8 - 4 * sqrt 3 < r"
+    ),
     "collapse-in-a-line": Definition(
         "Classification", "forall d r s scenes time i j, 9",
         "forall r s scenes time i j, let d := 1%nat in 9",
@@ -432,19 +549,25 @@ OTHERS = {
     ),
     "spectrum-no-decay": Definition("Spectrum", "exists q, 0 < q < 1 /\\", "exists q, 0 < q /\\"),
 }  # fmt: skip
-#: The page that pins each of the seven, and the files with proofs on which it rests, with what they
+#: The page that pins each of the eight, and the files with proofs on which it rests, with what they
 #: prove: a theorem for each proposition.
 PAGES = {
     "Classification": (
         "PinnedClassification",
         {
             "ClassificationProof": (
-                "no_triangle", "least_angle", "least_angle_in_time", "never", "bounded_impulse",
-                "no_spin",
-                "never_with_spin", "never_outward",
+                "no_triangle", "least_angle", "least_angle_any_radii", "never_any_radii", "never",
+                "bounded_impulse", "no_spin", "comes_to_rest", "never_with_spin", "never_outward",
             ),
             "Turning": ("never_turning",),
             "Finite": ("finite_or_endless",),
+        },
+    ),
+    "Bounds": (
+        "PinnedBounds",
+        {
+            "Impulse": ("exchange_theorem",),
+            "AlternatingRuns": ("run_theorem", "run_on_a_line", "run_without_end"),
         },
     ),
     "Line": ("PinnedLine", {"LineProof": ("line_theorem", "equal_on_a_line")}),
@@ -627,8 +750,7 @@ def modules(parts: dict[str, str]) -> dict[str, str]:
 
 def first_that_fails(directory: Path, parts: dict[str, str]) -> str:
     """The first of some files that does not compile, each beside those before it; or empty."""
-    compiled = (directory / "Meaning.vo").resolve().parent
-    return session(compiled).first_that_fails(modules(parts))
+    return session(directory).first_that_fails(modules(parts))
 
 
 def changed(way: Definition) -> str:
@@ -812,6 +934,8 @@ def another_scene(name: str, directory: Path) -> bool:
 
 
 Way = tuple[str, Callable[[str, Path], bool]]
+#: These ask the one toplevel, and write no file.
+IN_SESSION = (definition, spelled, printed_set, other_page, the_same_definition)
 
 
 def ways() -> list[Way]:
@@ -833,8 +957,8 @@ def tried(source: Path, way: Way) -> str:
     """A line if a way is not seen."""
     name, judge = way
     with tempfile.TemporaryDirectory() as path:
-        directory = Path(path)
-        for file in source.glob("*.v*"):
+        directory = source if judge in IN_SESSION else Path(path)
+        for file in source.glob("*.v*") if directory != source else ():
             if file.suffix in (".v", ".vo"):
                 (directory / file.name).symlink_to(file)
         try:

@@ -330,16 +330,32 @@ SAID = {
             "* (1 + Rpower r (1 / 3)) / (1 + r) <= minus_cosine_at d at_T o a c \\/"
         ),
         (
-            "forall d m radius r places velocities time T i j, 0 < m -> (forall b, 0 < radius b) "
+            "forall d m radius r places velocities time i j, 0 < m -> (forall b, 0 < radius b) "
             "-> 0 < r <= 1 -> collisions d (fun _ => m) radius places velocities time i j -> "
-            "(forall n, rate d (places (S n)) (velocities (S n)) (i n) (j n) = - r * rate d "
-            "(places (S n)) (velocities n) (i n) (j n)) -> Un_cv time T -> exists at_T o a c N, "
+            "restituted d r places velocities i j -> exists at_T o a c N, "
             "settles d places at_T /\\ in_turn_from N i j o a c /\\ distance d at_T o a = radius "
             "o + radius a /\\ distance d at_T o c = radius o + radius c /\\ 4 * sqrt r / (1 + r) "
             "<= minus_cosine_at d at_T o a c <= 1 /\\ (2 * Rpower r (1 / 3) * (1 + Rpower r (1 / "
             "3)) / (1 + r) <= minus_cosine_at d at_T o a c \\/ forall a b k, (k < d)%nat -> Un_cv "
             "(fun n => from_to (velocities n) a b k) 0)."
         ),
+        (
+            "forall n, rate d (places (S n)) (velocities (S n)) (i n) (j n) = - r * rate d "
+            "(places (S n)) (velocities n) (i n) (j n)."
+        ),
+        (
+            "-> 7 - 4 * sqrt 3 < r <= 1 -> collisions d (fun _ => m) radius places velocities "
+            "time i j -> ~ restituted d r places velocities i j."
+        ),
+        (
+            "collisions d mass radius places velocities time i j -> ~ (exists T, Un_cv time T) "
+            "-> (forall a b k, (k < d)%nat -> Un_cv (fun n => from_to (velocities n) a b k) 0) "
+            "/\\ (forall n, over_pairs mass (rate d (places n) (velocities n)) <= 0) /\\ (forall n "
+            "k l, (k < d)%nat -> (l < d)%nat -> over_pairs mass (moment (places n) (velocities "
+            "n) k l) = 0) /\\ exists at_T o a c N, settles d places at_T /\\ in_turn_from N i j o "
+            "a c /\\"
+        ),
+        "mass B0 * mass B1 * f B0 B1 + mass B0 * mass B2 * f B0 B2 + mass B1 * mass B2 * f B1 B2.",
         (
             "endless d r x v places velocities time i j -> 0 < spin2 d x v -> exists T, Un_cv "
             "time T."
@@ -352,6 +368,46 @@ SAID = {
         ),
         "forall d r x v, 0 < r <= 1 -> finite d r x v \\/ exists places",
         "Print Assumptions classification_proved.",
+    ),
+    "PinnedBounds": (
+        (
+            "forall d last mass sigma x v t i j J, (forall b, 0 < mass b) -> (forall a b, 0 < "
+            "sigma a b) -> many_collide d last mass sigma x v t i j J ->"
+        ),
+        (
+            "(i n <= last)%nat /\\ (j n <= last)%nat /\\ i n <> j n) /\\ 0 <= t n /\\ x (S n) = "
+            "(fun b k => x n b k + t n * v n b k) /\\ dot d e e = s * s /\\ 0 <= J n /\\"
+        ),
+        ("0 <= dot d e (apart (v (S n)) (i n) (j n)) <= - dot d e (apart (v n) (i n) (j n))."),
+        (
+            "sqrt (product d last mass x_0 x_0) * sqrt (product d last mass v_0 v_0) - product d "
+            "last mass x_0 v_0) /\\ (exists bound, forall n, sum_f_R0 J n <= bound) /\\"
+        ),
+        "(forall b k, (k < d)%nat -> exists l, Un_cv (fun n => v n b k) l) /\\",
+        (
+            "turning2 d last mass x_0 v_0 <= product d last mass x_0 x_0 * product d last mass "
+            "v_0 v_0."
+        ),
+        (
+            "0 < r <= 1 -> distinct o a c -> run d m radius r k places velocities time o a c -> "
+            "(forall n, (2 <= n < k)%nat -> (1 + r) / 2 * minus_cosine_at d (places n) o a c <= "
+            "most) -> compares most r s -> forall n, (1 <= n < k)%nat -> 0 < s n."
+        ),
+        "s 0%nat = 0 /\\ s 1%nat = 1 /\\ forall n, s (S (S n)) = a * s (S n) - r * s n.",
+        (
+            "(1 <= d)%nat -> 0 < m -> (forall b, 0 < radius b) -> 0 < r <= 1 -> distinct o a c -> "
+            "compares ((1 + r) / 2) r s -> (forall n, (1 <= n < k)%nat -> 0 < s n) -> exists "
+            "places velocities time, run d m radius r k places velocities time o a c /\\"
+        ),
+        (
+            "let z := if Nat.even n then a else c in radius o + radius z < distance d (places (S "
+            "n)) o z"
+        ),
+        (
+            "0 < r <= 7 - 4 * sqrt 3 -> compares ((1 + r) / 2) r s -> forall n, (1 <= n)%nat -> "
+            "0 < s n."
+        ),
+        "Print Assumptions bounds_proved.",
     ),
     "PinnedLine": (
         (
@@ -712,6 +768,17 @@ WEAKER = (
     ("PinnedClassification", "(from_to at_T o c) <= 0.", "(from_to at_T o c) <= 1."),
     ("PinnedClassification", "collisions d (fun _ => m)", "collisions 2 (fun _ => m)"),
     ("PinnedClassification", "    - r * rate d (places", "    - rate d (places"),
+    ("PinnedClassification", "~ (exists T, Un_cv time T) ->", "(exists T, Un_cv time T) ->"),
+    ("PinnedClassification", "(velocities n)) <= 0) /\\", "(velocities n)) <= 1) /\\"),
+    ("PinnedClassification", "mass B1 * mass B2 * f B1 B2", "mass B1 * f B1 B2"),
+    ("PinnedClassification", "(velocities n) k l) = 0)", "(velocities n) k k) = 0)"),
+    ("PinnedBounds", "forall d last mass sigma", "forall d mass sigma"),
+    ("PinnedBounds", "    0 <= t n /\\", "    0 < t n /\\"),
+    ("PinnedBounds", "sum_f_R0 J n <= bound", "J n <= bound"),
+    ("PinnedBounds", "(2 <= n < k)%nat", "(1 <= n < k)%nat"),
+    ("PinnedBounds", "forall n, (1 <= n < k)%nat -> 0 < s n.", "(2 < k)%nat -> 0 < s 2%nat."),
+    ("PinnedBounds", "(1 <= d)%nat -> 0 < m", "(2 <= d)%nat -> 0 < m"),
+    ("PinnedBounds", "0 < r <= 7 - 4 * sqrt 3", "0 < r <= 6 - 4 * sqrt 3"),
     ("PinnedClassification", "0 < m -> (forall b, 0 < rad", "0 < m -> (forall b, 1 < rad"),
     ("PinnedClassification", "7 - 4 * sqrt 3 < r \\/", "1 < r \\/"),
     ("PinnedClassification", "6 <= size d x \\/", "7 <= size d x \\/"),

@@ -4,7 +4,8 @@
 From Verify Require Import Theorem1.
 From Coq Require Import Reals List.
 Import ListNotations.
-From Verify Require Vectors Motion Runs Classification Contacts Settling Endless Turning ClassificationProof.
+From Verify Require Vectors Motion Runs Classification Contacts Settling Calculus Unbounded Turning
+  ClassificationProof Bounds Impulse AlternatingRuns.
 From Verify Require Finite FiniteScenes Deadline ManyBalls Line LineProof PrintedSign PrintedSignProof.
 From Verify Require Meaning Balls AnyStep ThreeBalls ThreeBallsStep ThreeBallsMap ThreeBallsCollapse BallsFlowStep.
 From Verify Require Ends Outside OutsideStep OutsideProof.
@@ -18,26 +19,33 @@ Definition B1 : ball := Theorem1.B1.
 (* The propositions are spelled out in PinnedClassification.v and PinnedPrintedSign.v. *)
 Check (ClassificationProof.no_triangle_holds : Classification.no_triangle).
 Check (ClassificationProof.least_angle_holds : Classification.least_angle).
-Check (ClassificationProof.least_angle_in_time_holds : Classification.least_angle_in_time).
+Check (ClassificationProof.least_angle_any_radii_holds : Classification.least_angle_any_radii).
+Check (ClassificationProof.never_any_radii_holds : Classification.never_any_radii).
+Check (ClassificationProof.comes_to_rest_holds : Classification.comes_to_rest).
+(* These are spelled out in PinnedBounds.v. *)
+Check (Impulse.exchange_theorem_holds : Bounds.exchange_theorem).
+Check (AlternatingRuns.run_theorem_holds : Bounds.run_theorem).
+Check (AlternatingRuns.run_on_a_line_holds : Bounds.run_on_a_line).
+Check (AlternatingRuns.run_without_end_holds : Bounds.run_without_end).
 Check (PrintedSignProof.printed_sign_theorem_holds : PrintedSign.printed_sign_theorem).
 (* cauchy-schwarz for planes, and for three balls: the inner product of two planes is a sum over pairs of
    coordinates; the moment of inertia times the energy bounds the squares of A and of L. *)
-Check (fun d x v y w => eq_refl : Turning.wedge d x v y w = dot d x y * dot d v w - dot d x w * dot d v y).
-Check (Turning.wedge_by_coordinates : forall d x v y w,
+Check (fun d x v y w => eq_refl : Calculus.wedge d x v y w = dot d x y * dot d v w - dot d x w * dot d v y).
+Check (Calculus.wedge_by_coordinates : forall d x v y w,
   dot d (fun k => dot d (fun l => x k * v l - x l * v k) (fun l => y k * w l - y l * w k)) (fun _ => 1) =
-  2 * Turning.wedge d x v y w).
+  2 * Calculus.wedge d x v y w).
 Check (Turning.spin_bounded : forall d s,
   Classification.growth d s * Classification.growth d s + Classification.spin2 d s <=
   Classification.size d s * (dot d (relative s B0 B1) (relative s B0 B1) +
     dot d (relative s B0 B2) (relative s B0 B2) + dot d (relative s B1 B2) (relative s B1 B2))).
-(* finite-length: the places of three balls of any masses that collapse; and of equal ones whose
+(* finite-length: the places of three balls of any masses that collapse; and of those whose
    collisions do not accumulate. *)
 Check (Settling.settles_in_time : forall d mass radius scenes time i j T, (forall b, 0 < mass b) ->
   Classification.strikes d mass radius scenes time i j -> Un_cv time T ->
   exists z, Classification.settles d scenes z).
-Check (Endless.settles_late : forall d r first scenes time i j, 0 < r <= 1 ->
-  Classification.endless d r first scenes time i j -> ~ (exists T, Un_cv time T) ->
-  exists z, Classification.settles d scenes z).
+Check (Unbounded.settles_late : forall d mass radius scenes time i j, (forall b, 0 < mass b) ->
+  (forall b, 0 < radius b) -> Classification.strikes d mass radius scenes time i j ->
+  ~ (exists T, Un_cv time T) -> exists z, Classification.settles d scenes z).
 
 (* glue-lemma, for bodies of any number and masses: a state is just after a collision, some of which may be
    at the same time. *)

@@ -41,6 +41,37 @@ Proof.
   assert (a * b * (a * b) < dot d u v * dot d u v) by (apply Rmult_le_0_lt_compat; lra). lra.
 Qed.
 
+(* --- inner products of two planes ----------------------------------------------------------------- *)
+
+Definition wedge d (x v y w : vector) : R := dot d x y * dot d v w - dot d x w * dot d v y.
+Lemma dot_ones d u : dot d u (fun _ => 1) = dot d (fun _ => 1) u.
+Proof. apply dot_symmetric. Qed.
+Lemma dot_add d u v w : dot d (fun k => u k + v k) w = dot d u w + dot d v w.
+Proof.
+  replace (fun k => u k + v k) with (combined 1 u 1 v) by (apply same_vector; intros k; unfold combined; ring).
+  rewrite dot_linear. ring.
+Qed.
+Lemma dot_times d a u w : dot d (fun k => a * u k) w = a * dot d u w.
+Proof. exact (dot_scaled d a u w). Qed.
+Lemma dot_product d u v : dot d (fun k => u k * v k) (fun _ => 1) = dot d u v.
+Proof. induction d as [|d IH]; cbn [dot]; [reflexivity|]. rewrite IH. ring. Qed.
+(* Twice that product is a sum over pairs of coordinates. *)
+Lemma wedge_by_coordinates d x v y w :
+  dot d (fun k => dot d (fun l => x k * v l - x l * v k) (fun l => y k * w l - y l * w k)) (fun _ => 1) =
+  2 * wedge d x v y w.
+Proof.
+  assert (E : (fun k => dot d (fun l => x k * v l - x l * v k) (fun l => y k * w l - y l * w k)) =
+    (fun k => (dot d v w * (x k * y k) + - (dot d v y) * (x k * w k)) +
+      (- (dot d x w) * (v k * y k) + dot d x y * (v k * w k)))).
+  { apply same_vector. intros k.
+    replace (fun l => x k * v l - x l * v k) with (combined (x k) v (- v k) x)
+      by (apply same_vector; intros l; unfold combined; ring).
+    replace (fun l => y k * w l - y l * w k) with (combined (y k) w (- w k) y)
+      by (apply same_vector; intros l; unfold combined; ring).
+    rewrite dot_linear, !dot_linear_right. ring. }
+  rewrite E, !dot_add, !dot_times, !dot_product. unfold wedge. ring.
+Qed.
+
 (* --- series -------------------------------------------------------------------------------------- *)
 
 (* A series of vectors converges if the partial sums of their lengths are bounded. *)

@@ -88,18 +88,21 @@ Definition least_angle : Prop :=
     4 * sqrt r / (1 + r) <= minus_cosine_at d at_T o a c <= 1 /\
     (2 * cube_root r * (1 + cube_root r) / (1 + r) <= minus_cosine_at d at_T o a c \/
       stops d scenes).
-(* The same of three balls of equal masses and any radii that collapse, each time with one r. *)
+(* The same of three balls of equal masses and any radii, each time with one r. *)
 Definition restituted (d : nat) (r : R) (scenes : nat -> scene) (time : nat -> R) (i j : nat -> ball) : Prop :=
   forall n, rate d (scenes (S n)) (i n) (j n) =
     - r * rate d (later (time (S n) - time n) (scenes n)) (i n) (j n).
-Definition least_angle_in_time : Prop :=
-  forall d m radius r scenes time T i j, 0 < m -> (forall b, 0 < radius b) -> 0 < r <= 1 ->
-  strikes d (fun _ => m) radius scenes time i j -> restituted d r scenes time i j -> Un_cv time T ->
+Definition least_angle_any_radii : Prop :=
+  forall d m radius r scenes time i j, 0 < m -> (forall b, 0 < radius b) -> 0 < r <= 1 ->
+  strikes d (fun _ => m) radius scenes time i j -> restituted d r scenes time i j ->
   exists at_T o a c N, settles d scenes at_T /\ distinct_balls o a c /\ in_turn_from N i j o a c /\
     distance d at_T o a = radius o + radius a /\ distance d at_T o c = radius o + radius c /\
     4 * sqrt r / (1 + r) <= minus_cosine_at d at_T o a c <= 1 /\
     (2 * cube_root r * (1 + cube_root r) / (1 + r) <= minus_cosine_at d at_T o a c \/
       stops d scenes).
+Definition never_any_radii : Prop :=
+  forall d m radius r scenes time i j, 0 < m -> (forall b, 0 < radius b) -> 7 - 4 * sqrt 3 < r <= 1 ->
+  strikes d (fun _ => m) radius scenes time i j -> ~ restituted d r scenes time i j.
 Definition never : Prop :=
   forall d r s scenes time i j, 7 - 4 * sqrt 3 < r <= 1 -> ~ endless d r s scenes time i j.
 (* III. The speed at which a pair meets is the momentum exchanged, divided by (1+r)/2. *)
@@ -107,7 +110,21 @@ Definition bounded_impulse : Prop :=
   forall d r s scenes time i j, 0 < r <= 1 -> endless d r s scenes time i j ->
   exists bound, forall n,
     sum_f_R0 (fun m => - rate d (later (time (S m) - time m) (scenes m)) (i m) (j m)) n <= bound.
-(* IV and IV b. *)
+(* IV. Of any masses and radii: the balls come to rest, seen from one another, and until then do not recede
+   from their centre of mass; the rest as if the times converged. The sums are over pairs: with the mass of
+   all, R A and the angular momentum about that centre. *)
+Definition over_pairs (mass : ball -> R) (f : ball -> ball -> R) : R :=
+  mass B0 * mass B1 * f B0 B1 + mass B0 * mass B2 * f B0 B2 + mass B1 * mass B2 * f B1 B2.
+Definition comes_to_rest : Prop :=
+  forall d mass radius scenes time i j, (forall b, 0 < mass b) -> (forall b, 0 < radius b) ->
+  strikes d mass radius scenes time i j -> ~ (exists T, Un_cv time T) ->
+  stops d scenes /\
+  (forall n, over_pairs mass (rate d (scenes n)) <= 0) /\
+  (forall n k l, (k < d)%nat -> (l < d)%nat -> over_pairs mass (moment (scenes n) k l) = 0) /\
+  exists at_T o a c N, settles d scenes at_T /\ distinct_balls o a c /\ in_turn_from N i j o a c /\
+    distance d at_T o a = radius o + radius a /\ distance d at_T o c = radius o + radius c /\
+    dot d (to at_T o a) (to at_T o c) <= 0.
+(* Of equal ones, also IV b. *)
 Definition no_spin : Prop :=
   forall d r s scenes time i j, 0 < r <= 1 -> endless d r s scenes time i j -> 0 < spin2 d s ->
   exists T, Un_cv time T.

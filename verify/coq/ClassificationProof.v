@@ -1,7 +1,7 @@
 (* What Classification.v says is proved. *)
 From Coq Require Import Reals Arith Lra Lia Classical.
 From Verify Require Import Theorem1 Vectors Motion Sequences Ending Parameters Classification Contacts.
-From Verify Require Import NoTriangle Settling Endless LeastAngle.
+From Verify Require Import NoTriangle Settling Unbounded Endless LeastAngle.
 Open Scope R_scope.
 
 Theorem no_triangle_holds : no_triangle.
@@ -196,10 +196,10 @@ Proof.
   - exact (most d radius P z o a c A C).
   - exact (second d r radius scenes time i j P R S V z Z o a c N D T A C).
 Qed.
-Theorem least_angle_in_time_holds : least_angle_in_time.
+Theorem least_angle_any_radii_holds : least_angle_any_radii.
 Proof.
-  intros d m radius r scenes time T i j M P R S V L. assert (M' : forall _ : ball, 0 < m) by (intros; exact M).
-  destruct (settles_in_time d (fun _ => m) radius scenes time i j T M' S L) as (z & Z).
+  intros d m radius r scenes time i j M P R S V. assert (M' : forall _ : ball, 0 < m) by (intros; exact M).
+  destruct (Unbounded.settles_always d (fun _ => m) radius scenes time i j M' P S) as (z & Z).
   destruct (settled_in_turn d (fun _ => m) radius scenes time i j z M' P S Z) as (o & a & c & N & D & W & _).
   exists z, o, a, c, N. repeat (split; [assumption|]).
   apply (angle_there d r radius scenes time i j z o a c N P R); trivial.
@@ -276,40 +276,12 @@ Proof.
     (limit_opposite _ _ (limit_later _ _ N (size_converges d scenes z Z)))
     ltac:(intros n; specialize (A (N + n)%nat ltac:(lia)); lra)). lra.
 Qed.
-Lemma impulse_is_growth n : 3 / 2 * (1 + r) * sum_f_R0 (meeting_speed d scenes time i j) n <=
-  growth d (scenes (S n)) - growth d (scenes 0%nat).
-Proof.
-  assert (G : forall m, growth d (scenes m) + 3 / 2 * (1 + r) * meeting_speed d scenes time i j m <=
-    growth d (scenes (S m))).
-  { intros m. rewrite (growth_next d r first scenes time i j restitutes run m).
-    destruct (facts d r first scenes time i j restitutes run m) as (_ & T & _).
-    pose proof (motion2_positive d (scenes m)).
-    assert (0 <= (time (S m) - time m) * motion2 d (scenes m)) by (apply Rmult_le_pos; lra). lra. }
-  induction n as [|n IH]; cbn [sum_f_R0]; [specialize (G 0%nat) | specialize (G (S n))]; lra.
-Qed.
 Theorem impulse_bounded : exists bound, forall n, sum_f_R0 (meeting_speed d scenes time i j) n <= bound.
 Proof.
-  assert (B : exists b, forall n, growth d (scenes n) <= b).
-  { destruct (classic (exists T, Un_cv time T)) as [_|N].
-    - destruct (settles_always d r first scenes time i j restitutes run) as (z & Z).
-      pose proof (size_converges d scenes z Z) as S.
-      destruct (maj_by_pos _ (exist _ _ S)) as (b & P & B).
-      set (w := motion2 d (scenes 0%nat)). pose proof (motion2_positive d (scenes 0%nat)) as W. fold w in W.
-      exists (1 + b * w). intros n. pose proof (growth_bounded d (scenes n)) as C.
-      pose proof (motion2_after d r first scenes time i j restitutes run 0 n ltac:(lia)) as M. fold w in M.
-      specialize (B n). apply within in B. pose proof (motion2_positive d (scenes n)).
-      pose proof (size_positive d (scenes n)).
-      assert (size d (scenes n) * motion2 d (scenes n) <= b * w) by (apply Rmult_le_compat; lra).
-      set (x := growth d (scenes n)) in *. pose proof (Rle_0_sqr (x - 1)) as Q. unfold Rsqr in Q.
-      assert (0 <= x \/ x < 0) as [X|X] by lra; [|assert (0 <= b * w) by (apply Rmult_le_pos; lra); lra].
-      apply Rnot_lt_le. intros F. assert (1 * (1 + b * w) <= x * x) by (apply Rmult_le_compat; try lra; assert (0 <= b * w) by (apply Rmult_le_pos; lra); lra).
-      lra.
-    - exists 0. exact (never_recedes d r first scenes time i j restitutes run N). }
-  destruct B as (b & B). exists ((b - growth d (scenes 0%nat)) / (3 / 2 * (1 + r))). intros n.
-  apply Rmult_le_reg_l with (3 / 2 * (1 + r)); [lra|].
-  replace (3 / 2 * (1 + r) * ((b - growth d (scenes 0%nat)) / (3 / 2 * (1 + r)))) with
-    (b - growth d (scenes 0%nat)) by (field; lra).
-  pose proof (impulse_is_growth n). specialize (B (S n)). lra.
+  pose proof (endless_strikes d r first scenes time i j restitutes run) as S.
+  assert (P : forall _ : ball, 0 < 1 / 2) by (intros; lra).
+  destruct (meeting_bounded d (fun _ => 1) (fun _ => 1 / 2) scenes time i j (fun _ => Rlt_0_1) P S) as (b & B).
+  exists b. intros n. apply Rle_trans with (2 := B n). right. apply sum_eq. intros m _. unfold meeting_speed. field.
 Qed.
 End FromEndless.
 
@@ -331,13 +303,30 @@ Proof.
   destruct (least_angle_holds d r s scenes time i j ltac:(lra) E) as (z & o & a & c & N & _ & _ & _ & _ & _ & G & _).
   lra.
 Qed.
+Theorem never_any_radii_holds : never_any_radii.
+Proof.
+  intros d m radius r scenes time i j M P R S V. destruct (above_1 r R) as (R0 & B).
+  destruct (least_angle_any_radii_holds d m radius r scenes time i j M P ltac:(lra) S V)
+    as (z & o & a & c & N & _ & _ & _ & _ & _ & G & _). lra.
+Qed.
+Theorem comes_to_rest_holds : comes_to_rest.
+Proof.
+  intros d mass radius scenes time i j M P S N.
+  split; [exact (velocities_vanish d mass radius scenes time i j M P S N)|].
+  split; [exact (never_recede d mass radius scenes time i j M P S N)|].
+  split; [exact (no_angular_momentum d mass radius scenes time i j M P S N)|].
+  destruct (settles_late d mass radius scenes time i j M P S N) as (z & Z).
+  destruct (settled_in_turn d mass radius scenes time i j z M P S Z) as (o & a & c & K & H).
+  exists z, o, a, c, K. now split.
+Qed.
 Theorem bounded_impulse_holds : bounded_impulse.
 Proof. intros d r s scenes time i j R E. exact (impulse_bounded d r s scenes time i j R E). Qed.
 Theorem no_spin_holds : no_spin.
 Proof.
   intros d r s scenes time i j R E S. apply NNPP. intros N.
   pose proof (no_spin_at_rest d r s scenes time i j R E
-    (velocities_vanish d r s scenes time i j R E N)). lra.
+    (velocities_vanish d (fun _ => 1) (fun _ => 1 / 2) scenes time i j (fun _ => Rlt_0_1)
+      (fun _ => Rdiv_lt_0_compat 1 2 Rlt_0_1 Rlt_0_2) (endless_strikes d r s scenes time i j R E) N)). lra.
 Qed.
 Lemma above_1_too r : 9 - 4 * sqrt 5 < r <= 1 -> 0 < r /\ 1 < 2 * cube_root r * (1 + cube_root r) / (1 + r).
 Proof.

@@ -2,7 +2,7 @@
    state, and what they mean after some collisions. *)
 From Coq Require Import Reals List Lra Classical.
 From Verify Require Import Theorem1 Vectors Motion Determined Runs Joined FlowStep.
-From Verify Require Import Classification Contacts Settling ClassificationProof Turning Finite.
+From Verify Require Import Classification Contacts Settling ClassificationProof Calculus Turning Finite.
 Import ListNotations.
 Open Scope R_scope.
 

@@ -65,18 +65,19 @@ Proof.
 Qed.
 End OneFlight.
 
-(* One collision: from contact with a to contact with c. *)
+(* One collision with c, at which a does not touch, though it may have been in contact before. *)
 Section OneCollision.
 Variable e : vector.
 Variable s : scene.
 Variables o a c : ball.
-Variables gap v w : R.
+Variables slack gap v w : R.
 Hypothesis distinct : distinct_balls o a c.
-Hypothesis line : aligned e s o a c (radius o + radius a) (radius o + radius c + gap) v w.
+Hypothesis line : aligned e s o a c (radius o + radius a + slack) (radius o + radius c + gap) v w.
+Hypothesis apart : 0 <= slack.
 Hypothesis open : 0 < gap.
-Hypothesis parts : 0 < v.
 Hypothesis approaches : 0 < w.
 Let t := gap / w.
+Hypothesis stays : 0 < slack + t * v.
 Lemma duration : 0 < t.
 Proof. now apply Rdiv_lt_0_compat. Qed.
 Lemma duration_is : t * w = gap.
@@ -84,10 +85,14 @@ Proof. unfold t. field. lra. Qed.
 Lemma next_meeting : meets_next d radius s o c t.
 Proof.
   pose proof duration as T. pose proof duration_is as W. pose proof (round o). pose proof (round a). pose proof (round c).
-  assert (Y : forall x, 0 < x -> 0 < x * v) by (intros x X; now apply Rmult_lt_0_compat).
+  assert (Y : forall x, 0 < x <= t -> 0 < slack + x * v).
+  { intros x X. destruct (Rle_lt_dec 0 v) as [V|V].
+    - destruct (Rle_lt_or_eq_dec _ _ apart) as [S0|S0]; [assert (0 <= x * v) by (apply Rmult_le_pos; lra); lra|].
+      rewrite <- S0 in *. assert (0 < v) by (apply Rmult_lt_reg_l with t; lra). rewrite Rplus_0_l. apply Rmult_lt_0_compat; lra.
+    - assert (0 <= (t - x) * - v) by (apply Rmult_le_pos; lra). lra. }
   assert (M : 0 < radius o + radius c + gap - t * w) by lra.
   pose proof (aligned_later _ _ _ _ _ _ _ _ _ line t) as L.
-  pose proof (Y t T) as YT.
+  pose proof (Y t ltac:(lra)) as YT.
   split; [exact T|]. split.
   - intros u i j U N. revert i j N. pose proof (aligned_later _ _ _ _ _ _ _ _ _ line u) as F.
     assert (0 < (t - u) * w) by (apply Rmult_lt_0_compat; lra). pose proof (Y u ltac:(lra)).
@@ -104,7 +109,7 @@ Qed.
 Lemma reversed : dot d (scaled (-1) e) (scaled (-1) e) = 1.
 Proof. destruct line as [U _]. rewrite dot_scaled, dot_scaled_right, U. ring. Qed.
 Lemma next_state : aligned (scaled (-1) e) (bounced d mass r o c (later t s)) o c a
-  (radius o + radius c) (radius o + radius a + t * v) (r * w) (share mass r o c * w - v).
+  (radius o + radius c) (radius o + radius a + slack + t * v) (r * w) (share mass r o c * w - v).
 Proof.
   pose proof (aligned_later _ _ _ _ _ _ _ _ _ line t) as L. rewrite duration_is in L.
   pose proof (round o). pose proof (round c). set (R := radius o + radius c) in *.
@@ -195,7 +200,8 @@ Proof.
     split; [exact line|]. repeat (split; [assumption|]). lra.
   - destruct (numbers_next n) as (EG & EV & EW). destruct (turned n) as [TN TL].
     pose proof (share_positive (next_of n)) as B. pose proof (share_positive (last_of n)) as B'.
-    pose proof (next_state _ _ _ _ _ _ _ _ (three n) L W) as N.
+    rewrite <- (Rplus_0_r (radius o + radius (last_of n))) in L.
+    pose proof (next_state _ _ _ _ _ _ _ _ _ (three n) L W) as N. rewrite Rplus_0_r in N.
     set (g := gap_at n) in *. set (v := away_at n) in *. set (w := closing_at n) in *.
     set (b := share mass r o (next_of n)) in *. set (b' := share mass r o (last_of n)) in *.
     assert (BW : 0 < b * w) by now apply Rmult_lt_0_compat.
@@ -227,7 +233,10 @@ Lemma in_turn : meets_in_turn d mass radius r scenes time o a c.
 Proof.
   intros n. cbn zeta. destruct (always n) as (L & G & V & W & _).
   replace (time (S n) - time n) with (gap_at n / closing_at n) by (cbn [time]; ring).
-  pose proof (next_meeting _ _ _ _ _ _ _ _ (three n) L G V W) as M. fold (next_of n). split; [exact M|].
+  rewrite <- (Rplus_0_r (radius o + radius (last_of n))) in L.
+  assert (ST : 0 < 0 + gap_at n / closing_at n * away_at n).
+  { rewrite Rplus_0_l. apply Rmult_lt_0_compat; [now apply Rdiv_lt_0_compat | exact V]. }
+  pose proof (next_meeting _ _ _ _ _ _ _ _ _ (three n) L (Rle_refl 0) G W ST) as M. rewrite Rplus_0_r in L. fold (next_of n). split; [exact M|].
   destruct M as (_ & _ & C & P & _). destruct (three n) as (_ & N & _). pose proof (round o). pose proof (round (next_of n)).
   apply bounced_parts; [exact heavy | exact restitutes | congruence | rewrite C; lra | exact P].
 Qed.

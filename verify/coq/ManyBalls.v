@@ -88,10 +88,10 @@ Proof.
   assert (U : a <> i -> a <> j -> b <> i -> b <> j -> 0 <= opening x w a b).
   { intros A1 A2 B1 B2. unfold opening, between in *. rewrite (C a A1 A2), (C b B1 B2). exact O. }
   unfold is_pair in *.
-  destruct (same_or_not i a) as [->|Ia]; [apply (G j); [congruence | intros ->; apply F; tauto | tauto]|].
-  destruct (same_or_not i b) as [->|Ib]; [apply (G j); [intros ->; apply F; tauto | congruence | tauto]|].
-  destruct (same_or_not j a) as [->|Ja]; [apply (G i); tauto|].
-  destruct (same_or_not j b) as [->|Jb]; [apply (G i); tauto|].
+  destruct (same_or_not i a) as [->|Ia]; [apply (G j); [congruence | intros ->; apply F; now left | left; now left]|].
+  destruct (same_or_not i b) as [->|Ib]; [apply (G j); [intros ->; apply F; now right | congruence | right; now left]|].
+  destruct (same_or_not j a) as [->|Ja]; [apply (G i); [congruence | congruence | left; now right]|].
+  destruct (same_or_not j b) as [->|Jb]; [apply (G i); [congruence | congruence | right; now right]|].
   apply U; congruence.
 Qed.
 

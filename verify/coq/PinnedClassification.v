@@ -68,19 +68,24 @@ Definition least_angle : Prop :=
     4 * sqrt r / (1 + r) <= minus_cosine_at d at_T o a c <= 1 /\
     (2 * Rpower r (1 / 3) * (1 + Rpower r (1 / 3)) / (1 + r) <= minus_cosine_at d at_T o a c \/
       forall a b k, (k < d)%nat -> Un_cv (fun n => from_to (velocities n) a b k) 0).
-(* The same of balls of equal masses and any radii that collapse in finite time, and part at r times the
-   speed in each collision. *)
-Definition least_angle_in_time : Prop :=
-  forall d m radius r places velocities time T i j,
+(* The same of balls of equal masses and any radii that part at r times the speed in each collision. For
+   large r there are none. *)
+Definition restituted d r (places velocities : nat -> ball -> nat -> R) (i j : nat -> ball) : Prop :=
+  forall n, rate d (places (S n)) (velocities (S n)) (i n) (j n) =
+    - r * rate d (places (S n)) (velocities n) (i n) (j n).
+Definition least_angle_any_radii : Prop :=
+  forall d m radius r places velocities time i j,
   0 < m -> (forall b, 0 < radius b) -> 0 < r <= 1 ->
-  collisions d (fun _ => m) radius places velocities time i j ->
-  (forall n, rate d (places (S n)) (velocities (S n)) (i n) (j n) =
-    - r * rate d (places (S n)) (velocities n) (i n) (j n)) -> Un_cv time T ->
+  collisions d (fun _ => m) radius places velocities time i j -> restituted d r places velocities i j ->
   exists at_T o a c N, settles d places at_T /\ in_turn_from N i j o a c /\
     distance d at_T o a = radius o + radius a /\ distance d at_T o c = radius o + radius c /\
     4 * sqrt r / (1 + r) <= minus_cosine_at d at_T o a c <= 1 /\
     (2 * Rpower r (1 / 3) * (1 + Rpower r (1 / 3)) / (1 + r) <= minus_cosine_at d at_T o a c \/
       forall a b k, (k < d)%nat -> Un_cv (fun n => from_to (velocities n) a b k) 0).
+Definition never_any_radii : Prop :=
+  forall d m radius r places velocities time i j,
+  0 < m -> (forall b, 0 < radius b) -> 7 - 4 * sqrt 3 < r <= 1 ->
+  collisions d (fun _ => m) radius places velocities time i j -> ~ restituted d r places velocities i j.
 (* III. *)
 Definition bounded_impulse : Prop :=
   forall d r x v places velocities time i j, 0 < r <= 1 ->
@@ -100,6 +105,23 @@ Definition growth d x v : R := rate d x v B0 B1 + rate d x v B0 B2 + rate d x v 
 Definition no_spin : Prop :=
   forall d r x v places velocities time i j, 0 < r <= 1 ->
   endless d r x v places velocities time i j -> 0 < spin2 d x v -> exists T, Un_cv time T.
+
+(* IV for any masses and radii: the balls come to rest, seen from one another, and until then do not recede
+   from their centre of mass. The sums are over pairs: with the mass of all three, the product R A and the
+   angular momentum about that centre. *)
+Definition over_pairs (mass : ball -> R) (f : ball -> ball -> R) : R :=
+  mass B0 * mass B1 * f B0 B1 + mass B0 * mass B2 * f B0 B2 + mass B1 * mass B2 * f B1 B2.
+Definition comes_to_rest : Prop :=
+  forall d mass radius places velocities time i j,
+  (forall b, 0 < mass b) -> (forall b, 0 < radius b) ->
+  collisions d mass radius places velocities time i j -> ~ (exists T, Un_cv time T) ->
+  (forall a b k, (k < d)%nat -> Un_cv (fun n => from_to (velocities n) a b k) 0) /\
+  (forall n, over_pairs mass (rate d (places n) (velocities n)) <= 0) /\
+  (forall n k l, (k < d)%nat -> (l < d)%nat ->
+    over_pairs mass (moment (places n) (velocities n) k l) = 0) /\
+  exists at_T o a c N, settles d places at_T /\ in_turn_from N i j o a c /\
+    distance d at_T o a = radius o + radius a /\ distance d at_T o c = radius o + radius c /\
+    dot d (from_to at_T o a) (from_to at_T o c) <= 0.
 
 (* --- trajectories with finitely many collisions ------------------------------------------------- *)
 
@@ -170,14 +192,33 @@ Proof.
   destruct (ClassificationProof.least_angle_holds _ _ _ _ _ _ _ R E) as (z & o & a & c & N & Z & D & W & K).
   exists (Theorem1.position z), o, a, c, N. split; [exact Z|]. split; [now apply same_turns | exact K].
 Qed.
-Theorem least_angle_in_time_proved : least_angle_in_time.
+Lemma same_restitution d mass radius r places velocities time i j :
+  collisions d mass radius places velocities time i j -> restituted d r places velocities i j ->
+  Classification.restituted d r (fun n => placed (places n) (velocities n)) time i j.
 Proof.
-  intros d m radius r places velocities time T i j M P R S V L. pose proof S as S'. apply same_strikes in S'.
-  destruct (ClassificationProof.least_angle_in_time_holds d m radius r _ time T i j M P R S') as
-    (z & o & a & c & N & Z & D & W & K); [|exact L|].
-  - intros n. specialize (V n). destruct (S n) as (_ & _ & E & _). cbn zeta in E. rewrite E in V.
-    unfold Theorem1.rate at 1, Theorem1.to. cbn [Theorem1.position placed]. rewrite E. exact V.
-  - exists (Theorem1.position z), o, a, c, N. split; [exact Z|]. split; [now apply same_turns | exact K].
+  intros S V n. specialize (V n). destruct (S n) as (_ & _ & E & _). cbn zeta in E. rewrite E in V.
+  unfold Theorem1.rate at 1, Theorem1.to. cbn [Theorem1.position placed]. rewrite E. exact V.
+Qed.
+Theorem least_angle_any_radii_proved : least_angle_any_radii.
+Proof.
+  intros d m radius r places velocities time i j M P R S V. apply (same_restitution _ _ _ _ _ _ _ _ _ S) in V.
+  apply same_strikes in S.
+  destruct (ClassificationProof.least_angle_any_radii_holds d m radius r _ time i j M P R S V) as
+    (z & o & a & c & N & Z & D & W & K).
+  exists (Theorem1.position z), o, a, c, N. split; [exact Z|]. split; [now apply same_turns | exact K].
+Qed.
+Theorem never_any_radii_proved : never_any_radii.
+Proof.
+  intros d m radius r places velocities time i j M P R S V. apply (same_restitution _ _ _ _ _ _ _ _ _ S) in V.
+  apply same_strikes in S. exact (ClassificationProof.never_any_radii_holds d m radius r _ time i j M P R S V).
+Qed.
+Theorem comes_to_rest_proved : comes_to_rest.
+Proof.
+  intros d mass radius places velocities time i j M P S N. apply same_strikes in S.
+  destruct (ClassificationProof.comes_to_rest_holds d mass radius _ time i j M P S N) as
+    (V & G & L & z & o & a & c & K & Z & D & W & E).
+  split; [exact V|]. split; [exact G|]. split; [exact L|].
+  exists (Theorem1.position z), o, a, c, K. split; [exact Z|]. split; [now apply same_turns | exact E].
 Qed.
 Theorem bounded_impulse_proved : bounded_impulse.
 Proof.
@@ -212,12 +253,12 @@ Qed.
 
 (* --- what is proved ------------------------------------------------------------------------------- *)
 
-Theorem classification_proved : no_triangle /\ least_angle /\ least_angle_in_time /\ bounded_impulse /\
-  no_spin /\ finite_or_endless /\ finite_if.
+Theorem classification_proved : no_triangle /\ least_angle /\ least_angle_any_radii /\ never_any_radii /\
+  bounded_impulse /\ no_spin /\ comes_to_rest /\ finite_or_endless /\ finite_if.
 Proof.
   split; [exact no_triangle_proved|]. split; [exact least_angle_proved|].
-  split; [exact least_angle_in_time_proved|].
-  split; [exact bounded_impulse_proved|]. split; [exact no_spin_proved|].
+  split; [exact least_angle_any_radii_proved|]. split; [exact never_any_radii_proved|].
+  split; [exact bounded_impulse_proved|]. split; [exact no_spin_proved|]. split; [exact comes_to_rest_proved|].
   split; [exact finite_or_endless_proved | exact finite_if_proved].
 Qed.
 Print Assumptions classification_proved.

@@ -119,7 +119,7 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
     "classification": {
         "cauchy-schwarz": (
             "Vectors.cauchy_schwarz",
-            "Turning.wedge_by_coordinates",
+            "Calculus.wedge_by_coordinates",
             "Turning.spin_bounded",
             "Calculus.tuples_bounded",
             "Calculus.lengths_add",
@@ -129,9 +129,21 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
             "Calculus.vectors_summable",
             "Calculus.any_order",
         ),
-        "finite-length": ("Settling.settles_in_time", "Endless.settles_late"),
+        "finite-length": ("Settling.settles_in_time", "Unbounded.settles_late"),
         "glue-lemma": ("ManyBalls.apart_from_then_on", "ManyBalls.one_in_between"),
         "glue-classification": ("ClassificationProof.no_triangle_holds",),
+        "glue-run": (
+            "AlternatingRuns.run_theorem_holds",
+            "AlternatingRuns.run_on_a_line_holds",
+            "AlternatingRuns.run_without_end_holds",
+            "ClassificationProof.least_angle_any_radii_holds",
+            "ClassificationProof.never_any_radii_holds",
+        ),
+        "glue-impulse": ("Impulse.exchange_theorem_holds",),
+        "glue-endless": (
+            "ClassificationProof.comes_to_rest_holds",
+            "ClassificationProof.least_angle_any_radii_holds",
+        ),
         "glue-scenes": (
             "Runs.never_by_parting",
             "Runs.never_by_passing",
@@ -142,7 +154,7 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
             "Deadline.never_late",
             "ManyBalls.not_before",
         ),
-        "glue-second": ("ClassificationProof.least_angle_in_time_holds",),
+        "glue-second": ("ClassificationProof.least_angle_any_radii_holds",),
     },
     "elsewhere": {"cauchy-schwarz": ("Vectors.cauchy_schwarz", "Calculus.lengths_add")},
     SIGN: {"glue-as-printed": ("PrintedSignProof.printed_sign_theorem_holds",)},

@@ -7,6 +7,7 @@ from random import Random
 import mpmath
 import pytest
 
+from docs.orbits import PICTURE, drawn
 from tests.paper.changed_statements import answer, without
 from verify.language.statement import PROVED
 from verify.paper.commands.pages import content, decide, page
@@ -136,6 +137,10 @@ def test_the_rows_of_a_collision_are_what_three_balls_do() -> None:
             assert abs(kappa * y_next**2 - (apart - 1)) < near * (apart - 1) + near * y**2
             met += 1
     assert met > 50
+
+
+def test_the_picture_of_the_page_is_the_one_that_is_drawn() -> None:
+    assert drawn() == PICTURE.read_text(encoding="utf-8")
 
 
 def vector(rng: Random) -> mpmath.matrix:

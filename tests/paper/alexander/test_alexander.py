@@ -61,7 +61,7 @@ LIES = {
     "trap-high": ("t < h", "2*t < h"),
     "trap-rises": ("e*f/h", "2*e*f/h"),
     "level-next": ("t*(z - t)", "t^2*(z - t)"),
-    "level-factor": ("(1 + 3*t)/t^2", "1/t^2"),
+    "level-factor": ("(1 + 3*t)/t/t", "1/t/t"),
     "low-next": ("<= t", "< t"),
     "low-factor": ("<=", "<"),
     "weigh-keeps": ("(1 - W_1)", "(1 - W)"),

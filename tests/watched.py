@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import json
-import random
 import re
-from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any
 
 from mpmath import mp, mpf
 
@@ -34,6 +31,7 @@ from tests.facts import (
     file,
     given,
     half,
+    has,
     in_line,
     in_thousands,
     limit_map,
@@ -179,27 +177,47 @@ said(
 # --- the other pages of docs/explanation ----------------------------------------------------------
 
 P = "docs/explanation/alexander.md"
-
-
-def expansion(draw: random.Random) -> Mapping[str, Any]:
-    """How fast log u grows apart at a state of the limit map, by differences."""
-    names = dict(limit_map(draw))
-    step = mpf(10) ** -15
-
-    def image(u: Any) -> Any:
-        p = names["α"] * (1 - u) - names["φ₁"] - names["ρ"] * u
-        return mp.log(1 - mp.sqrt(1 - names["ρ"] * u * (2 * names["φ₁"] + names["ρ"] * u) / p**2))
-
-    u = names["u"]
-    slope = (image(u * (1 + step)) - image(u * (1 - step))) / (2 * step)
-    return names | {"G": slope + mpf(10) ** -12}
-
-
-said(P, "at least 1 + 2(α+ρ)u/p", by=true("G ≥ 1 + 2(α+ρ)u/p", expansion))
-said(P, "from 1, and with it", by=coded("1", P, "1. **A step expands"))
-said(P, "1 to 3 look like work", by=coded("1 3", P, "3. **So do the starts") + "1 3")
-said(P, "4 is open", by=coded("4", P, "4. **One relative velocity"))
-said(P, "(ζ → 0)", by=coded("(ζ→0)", "docs/explanation/separatrix.md", "φ₂ tends to 0"))
+A = "verify/paper/alexander.toml"
+so(P, "satisfies C²b² > T. If b² ≤ T for", has(A, "C²b² > T.", "If b² ≤ T for each ball"))
+said(P, "where t³ = ef", by=coded("t³ = ef", A, "where t³ = ef"))
+said(P, "is that of Theorem 1", by="Theorem 1")
+so(
+    P,
+    "Cb > r^{1/3} + r^{2/3}",
+    true("r + r + r^(2/3) + r^(4/3) = (r^(1/3) + r^(2/3))^2", between(0.01, 0.9, "r")),
+)
+so(P, "b² ≤ T if r ≥ 9-4√5", has(A, "b² ≤ e + f + t + t² for r ≥ 9-4√5"))
+so(P, "κy² is the gap", has(A, "the gap is d = κy²"))
+so(P, "*across* y = 0", has(A, "smooth in them across y = 0"))
+so(P, "κ_a < κ_b", has(A, "x is κ_b/κ_a - 1"))
+so(P, "S = √(1 - Aκ(2+d)/(1+d)²)", has(A, "S^2*(1 + d)^2 = (1 + d)^2 - k*(2 + d)*A"))
+so(P, "T = κ(2+d)/((1+d)(1+S))", has(A, "T = k*(2 + d)/(1 + d)/(1 + S)"))
+so(P, "E² = |x_s'|²", has(A, ".E: |x_s'|"))
+so(P, "d = κy²,", has(A, "let = 'd: k*y^2;"))
+so(P, "(q+BT)/E", has(A, "law-p: p*E = b*(1 + k*y^2)*S*c*E - (q + B*T)"))
+so(P, "q' = r(1+d)S/p", has(A, "law-q: x*p = e*(1 + k*y^2)*S"))
+so(P, "κ' = T(2q+BT)/((1+E)p²)", has(A, "law-kappa: v*(1 + E)*p^2 = T*(2*q + B*T)"))
+so(P, "also at y = 0,", has(A, "y = 0 allowed"))
+so(P, "At y = 0,", has(A, "at y = 0 they are those"))
+so(P, "S = 1 - AT,   κ = T - AT²/2", has(A, "k: t*(1 - A*t/2);", "s: 1 - A*t;"))
+so(P, "p = αS - q - BT", has(A, "p: a*s - q - B*t;"))
+so(P, "κ' = T(2q+BT)/(2p²)", has(A, "under-v-is: 2*v*p^2 = t*(2*q + B*t)"))
+so(P, "p ≤ β(1+d)S", has(A, "late-p: p <= b*(1 + d)*S;"))
+so(P, "q' ≤ Q'", has(A, "under-x: x <= X;"))
+so(P, "κ'/K' ≤ (κ/K)(P/p)²", has(A, "under-ratio: v*K*p^2 <= k*V*P^2;"))
+so(P, "r(qA+B)(K-κ)/(pP)", has(A, "under-apart: e*(q*A + B)*(K - k) <= (X - x)*(p*P);"))
+so(P, "at which it is 1", has(A, "h is where the factor is 1"))
+so(P, "z ≥ h", has(A, "record-place: h <= z;"))
+so(P, "Let 1+x be the quotient", has(A, "x is κ_b/κ_a - 1"))
+so(P, "(x+D)", has(A, "off: H + g*Y + g*(x + D)"))
+so(
+    P,
+    "x' ≥ x + c(x+D) - K(H + gY + g(x+D)),   D' ≥ cx - K(H + gY + g(x+D))",
+    has(A, "step-x: x + c*(x + D) - K*off <= x_1;", "step-D-least: c*x - K*off <= D_1"),
+)
+so(P, "H' ≤ H + Kg(x+D+H+Y)", has(A, "step-H: H_1 <= H + K*g*(x + D + H + Y)"))
+so(P, "(4K/c)x, H is at most (c/4K)x", has(A, "N: 4*K/c; s: c/4/K;"))
+so(P, "as long as y ≤ g", has(A, "0 < y ≤ g"))
 
 P = "docs/explanation/classification.md"
 said(P, "at least 90°", by=coded("90°", "verify/views/classification.py", "at least a right one"))

@@ -42,6 +42,7 @@ SMALL = {
     "three_balls": 200_000,
     "classification": 150_000,
     "classification_of_balls": 100_000,
+    "alexander": 160_000,
     "flow_of_balls": 150_000,
     "spectrum": 260_000,
     "thresholds": 100_000,
@@ -55,6 +56,7 @@ ASSUMED = {
     "three_balls": (2, 3, 4),
     "classification": (2, 4, 8),
     "classification_of_balls": (2, 1, 5),
+    "alexander": (2, 3, 6),
     "separatrix": (2, 1, 3),
     "sections_1_to_4": (0, 1, 3),
 }
@@ -62,7 +64,7 @@ KINDS = ("definition", "general mathematics", "numbered glue")
 #: Words of the glue that are no names.
 PROSE = {"n-th", "so-called", "inside-", "a-F", "s-q"}
 #: The page of which the glue of another one names rows.
-NAMED = {"sections_1_to_4": "classification"}
+NAMED = {"sections_1_to_4": "classification", "alexander": "classification_of_balls"}
 #: How many sums without one of their addends there are at least; what is left of an inequality of
 #: vectors is too long for the checker.
 SUMS = {
@@ -72,6 +74,7 @@ SUMS = {
     "sandwich_above": 250,
     "three_balls": 250,
     "classification": 150,
+    "alexander": 150,
     "sections_1_to_4": 80,
     "all_parameters": 400,
     "separatrix": 250,

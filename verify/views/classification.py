@@ -100,9 +100,10 @@ def restitution_lines(found: AtR) -> Iterator[str]:
     if found.comes_to_rest and not found.excluded:
         yield (
             "  as r > 9-4√5, both velocities relative to the middle ball tend to 0 in it, and the "
-            "angular momentum about the centre of mass is 0, by II b and IV b: in dimension 2 or "
-            "more no set with interior consists of states that collapse"
+            "angular momentum about the centre of mass is 0, by II b and IV b"
         )
+    if not found.excluded:
+        yield almost_every(comes_to_rest=found.comes_to_rest)
     if found.undecided:
         yield "  a longest run exists, but the work budget does not suffice to count it"
     elif found.longest is None:
@@ -137,7 +138,20 @@ def masses_lines(found: AtMasses) -> Iterator[str]:
             "  unless the angular momentum about the centre of mass is 0, no collapse: finitely "
             f"many collisions{UNLESS}"
         )
+    if not all(one.excluded for one in found.middles):
+        yield almost_every(comes_to_rest=all(one.comes_to_rest for one in found.middles))
     yield "  given certificates/classification-of-balls"
+
+
+def almost_every(*, comes_to_rest: bool) -> str:
+    """What happens from almost every start, where collapses are not excluded."""
+    regime = (
+        "" if comes_to_rest else ", or a collapse in the Zhou-Kadanoff regime: φ₂ tends to 0 in it"
+    )
+    return (
+        "  in dimension 2 or more almost every start has finitely many collisions"
+        f"{regime} (certificates/alexander)"
+    )
 
 
 def masses_document(found: AtMasses) -> dict[str, Any]:

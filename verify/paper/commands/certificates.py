@@ -72,6 +72,7 @@ THEOREMS = (
     Theorem("spectrum", "THEORSS3.5SpectMatricVitLm", "spectrum"),
     Theorem("classification", "classification", "classification"),
     Theorem("classification-of-balls", "classification-of-balls", "classification_of_balls"),
+    Theorem("alexander", "alexander", "alexander"),
     Theorem("elsewhere", "elsewhere", "sections_1_to_4"),
     Theorem("sharper", "sharper", "sharper"),
     Theorem("sandwich", "sandwich", "sandwich_below"),

@@ -38,8 +38,7 @@ from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.prove import NO_HINTS
 from verify.wire.inputs import InputError, nearest, shown
-from verify.wire.questions import decide, decide_page, stated
-from verify.wire.read import cites_of
+from verify.wire.questions import cites_in, decide, decide_page, stated
 from verify.wire.text import Page
 from verify.wire.text.letters import letter_of
 from verify.wire.text.page_tables import NAME
@@ -305,7 +304,7 @@ def cite(name: str, files: Mapping[str, bytes]) -> Cite:
         raise InputError(f"cite {shown(name)}: there is no statement.json among the files")
     digests = {sha256(content).hexdigest(): content for content in files.values()}
     own = sha256(statement).hexdigest()
-    found = (c for c in cites_of(digests) if sha256(c.content).hexdigest() == own)
+    found = (c for c in cites_in(digests) if sha256(c.content).hexdigest() == own)
     cited = next(found, None)
     if cited is None:
         raise InputError(f"cite {shown(name)}: its statement.json is no statement")

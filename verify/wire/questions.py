@@ -69,7 +69,7 @@ def read_page_of(
     if path.endswith(".toml"):
         from verify.wire.text.read_page import read_page
 
-        return read_page(path, content, _cites(cited), seconds=seconds)
+        return read_page(path, content, cites_in(cited), seconds=seconds)
     if path.endswith(".smt2"):
         from verify.wire.text.smtlib import read_smtlib
 
@@ -297,7 +297,12 @@ def _claims(statement: Statement, steps: Sequence[Step]) -> Outcome:
     return Outcome(statement, decisions, tuple(steps), {})
 
 
-def _cites(cited: Mapping[str, bytes]) -> tuple[Cite, ...]:
+def cites_in(cited: Mapping[str, bytes]) -> tuple[Cite, ...]:
+    """What may be cited among some files, by their digests.
+
+    Raises:
+        InputError: if a statement there cannot be read.
+    """
     if not cited:
         return ()
     from verify.wire.read import cites_of, statements_among  # loaded only where they are used

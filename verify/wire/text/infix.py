@@ -10,7 +10,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from itertools import accumulate
+from operator import add
 from types import MappingProxyType
 from typing import Any
 
@@ -45,6 +47,7 @@ from verify.wire.text.matrices import (
     Value,
     added,
     determinant,
+    entries_of,
     form,
     has_value,
     negative,
@@ -680,11 +683,21 @@ class _Reader:
         self._spend(A_CALL + len(str(function.body)))
         names = function.names.of(dict(zip(function.parameters, values, strict=True)))
         found = read_entries(function.place, function.body, names)
-        for value in values:  # one that is not used has a value, too
-            if isinstance(value, Term) and not has_value(value) and isinstance(found, Term):
-                parts = {*parts_of(found)}
-                self._spend(len(parts))
-                found = found if value in parts else found + times_zero(value)
+        return self._with_values(found, values)
+
+    def _with_values(self, found: Value, values: Sequence[Value]) -> Value:
+        """What a function gives, where its values have one, too: also those that it does not use."""
+        entries = [entry for value in values for entry in entries_of(value)]
+        doubtful = [entry for entry in entries if not has_value(entry)]
+        if doubtful:
+            parts = {*parts_of(*entries_of(found))}
+            self._spend(len(parts))
+            for entry in doubtful:
+                if entry not in parts:
+                    more = times_zero(entry)
+                    found = (
+                        found + more if isinstance(found, Term) else found.each(partial(add, more))
+                    )
         return found
 
     def _function(self, word: str) -> Term:

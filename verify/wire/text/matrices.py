@@ -83,6 +83,11 @@ class Spent:
             raise ValueError("its functions and tables are too much work; name their parts")
 
 
+def entries_of(value: Value) -> list[Term]:
+    """The entries of a table, or the term."""
+    return [value] if isinstance(value, Term) else [entry for row in value.rows for entry in row]
+
+
 def size_of(*values: Value) -> int:
     """The product of the numbers of entries, which bounds the work on some tables."""
     return prod(len(v.rows) * len(v.rows[0]) for v in values if isinstance(v, Table))

@@ -204,6 +204,8 @@ def test_a_page_that_would_take_long_is_refused(text: str) -> None:
         "(0*[log(-x), 2])[1] = 0",
         "([0, 1]/log(-x))[1] = 0",
         "first(3, log(-x)) = 3",
+        "first(3, [log(-x), 1]) = 3",
+        "first([3, 1], log(-x))[1] = 3",
         "sum(sqrt(-x)^k, k, 0, 0) = 1",
         "prod(k/(x - x), k, 0, 2) = 0",
     ],

@@ -686,7 +686,7 @@ class _Reader:
         return self._with_values(found, values)
 
     def _with_values(self, found: Value, values: Sequence[Value]) -> Value:
-        """What a function gives, where its values have one, too: also those that it does not use."""
+        """What a function gives, if the values that it is of have one: also those not used."""
         entries = [entry for value in values for entry in entries_of(value)]
         doubtful = [entry for entry in entries if not has_value(entry)]
         if doubtful:
@@ -694,10 +694,8 @@ class _Reader:
             self._spend(len(parts))
             for entry in doubtful:
                 if entry not in parts:
-                    more = times_zero(entry)
-                    found = (
-                        found + more if isinstance(found, Term) else found.each(partial(add, more))
-                    )
+                    more = partial(add, times_zero(entry))
+                    found = more(found) if isinstance(found, Term) else found.each(more)
         return found
 
     def _function(self, word: str) -> Term:

@@ -185,7 +185,7 @@ def test_a_text_that_is_not_one_line_is_not_compiled() -> None:
 def test_many_sets_are_read_soon() -> None:
     sets = "".join(f's{i} = "needed"\n' for i in range(80))
     constants = "".join(f'c{j} = "{j} + 1"\n' for j in range(24))
-    rows = "".join(f'r{j} = "0 < c{j}"\n' for j in range(24))
+    rows = "".join(f'r{j} = {{ claim = "0 < c{j}" }}\n' for j in range(24))
     homes = [f"s{i}" for i in range(80)]
     text = f'title = "t"\n[sets]\n{sets}[[chapters]]\nin = {homes}\n'.replace("'", '"')
     begin = time.process_time()

@@ -10,8 +10,9 @@ from contextlib import ExitStack, suppress
 from errno import EACCES, EAGAIN
 from fractions import Fraction
 from functools import partial
-from os import SEEK_END, unlink
+from os import SEEK_END, stat, unlink
 from os import path as paths
+from stat import S_ISCHR
 from typing import BinaryIO
 
 from verify import check_map
@@ -159,8 +160,8 @@ def open_log(path: str, progress: Progress) -> BinaryIO:
         LogMismatchError: if it is not the beginning of this map.
         BlockingIOError: if another process has opened it here.
     """
-    if paths.exists(path) and not paths.isfile(path):
-        raise LogMismatchError("it is no file, but a device, a folder or a pipe")
+    if paths.exists(path) and S_ISCHR(stat(path).st_mode):
+        raise LogMismatchError("it is a device")
     with ExitStack() as stack:
         file = stack.enter_context(open(path, "a+b"))
         _lock(file)

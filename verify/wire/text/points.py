@@ -33,6 +33,8 @@ WORK, WORK_OF_FILE = 10_000_000, 15_000_000
 UNITS, PROGRAMME = 5, 300_000
 #: Fractions with larger denominators come near solutions of equations by accident.
 SIMPLE = 100
+#: Numbers between solutions are tried for so many variables, the first ones.
+FEW = 12
 #: The exponential of this is beyond all floats.
 MOST_EXPONENT = 709.0
 #: Two numbers that are as near as this are taken for equal.
@@ -238,7 +240,8 @@ def _candidates(
         if claim.relation == "=":
             yield from solutions(name, claim, found)
     yield from map(as_term, _SIMPLE)
-    yield from between(name, ready, found)
+    if len(found) < FEW:
+        yield from between(name, ready, found)
 
 
 Bound = tuple[float, Term]

@@ -325,6 +325,7 @@ so(
     true("(1 - t²)/(1 + t²) = C", half),
     true("2t/(1 + t²) = S", half),
 )
+so(P, "with `--confidence 99%`. Points", has("verify/wire/inputs.py", "for example 99%"))
 so(P, "`positions[1][0]`", has(P, "positions  = [["))
 P = "docs/howto/masses.md"
 so(P, "at most σ_oa + σ_ob, so", true("σ_oa + σ_ob = σ_ob + σ_oa", in_line))

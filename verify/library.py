@@ -40,9 +40,9 @@ from verify.prover.prove import NO_HINTS
 from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.questions import cites_in, decide, decide_page, stated
 from verify.wire.text import Page
+from verify.wire.text.estimates import estimate
 from verify.wire.text.letters import letter_of
 from verify.wire.text.page_tables import NAME
-from verify.wire.text.points import estimate
 from verify.wire.text.read_page import read_page as read_text
 from verify.wire.text.roots import Isolated, isolated
 from verify.wire.text.write_page import page_text

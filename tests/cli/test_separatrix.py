@@ -57,7 +57,7 @@ def test_other_masses_and_radii(capsys: pytest.CaptureFixture[str]) -> None:
     code, out = run(capsys, words)
     assert code == 0
     assert "masses 1, 5, 0.5, radii 0.5, 1, 0.25: proved" in out
-    assert "q is 1.5811388… φ₁" in out
+    assert "q is 1.5811388… times φ₁" in out
 
 
 @pytest.mark.parametrize("words", ["--masses 1,2", "--masses 1,0,2", "--radii 1,2,x", "--radii 1"])

@@ -13,7 +13,7 @@ import pytest
 from tests.prover.test_interior import page, verdict
 from verify.prover.budget import WorkBudget
 from verify.wire.questions import decide, read_page_of
-from verify.wire.text.points import estimate
+from verify.wire.text.estimates import estimate
 
 #: Those that found something when they were drawn, and others.
 SEEDS = (12, 41, 194, 596, *range(1000, 1020))

@@ -23,8 +23,8 @@ from verify.language.terms import (
     unequal,
 )
 from verify.wire.inputs import InputError
+from verify.wire.text.estimates import estimate
 from verify.wire.text.fpcore import read_fpcore
-from verify.wire.text.points import estimate
 from verify.wire.text.smtlib import read_smtlib
 
 X, Y = symbol("x"), symbol("y")

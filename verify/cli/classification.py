@@ -45,7 +45,8 @@ def run(options: Options) -> int:
     document = classification_document(outcome)
     asked: list[str] = []
     if found is not None:
-        accepted("alexander")
+        if not found.excluded or masses is not None:
+            accepted("alexander")
         document |= restitution_document(found)
         asked += restitution_lines(found)
     if masses is not None and r is not None:

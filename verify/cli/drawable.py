@@ -1,4 +1,4 @@
-"""Pictures of numbers that a drawing can have."""
+"""Errors of a drawing, told as what is wrong with --plot."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from verify.wire.inputs import InputError
 
 @contextmanager
 def drawable() -> Iterator[None]:
-    """What is done inside draws.
+    """Inside, something is drawn.
 
     Raises:
-        InputError: if numbers are too large or too small for that, or are no numbers.
+        InputError: if numbers are too large or too small for that, or have no value.
     """
     try:
         yield

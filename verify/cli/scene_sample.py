@@ -122,7 +122,7 @@ def run_sample(options: Options, limits: Budget, jobs: int) -> int:
         )
     count = integer("--sample", options.sample, 1, MAX_SAMPLE)
     seed = integer("--seed", options.seed, 0, MAX_SEED)
-    level = _confidence(options.confidence)
+    level = share("--confidence", options.confidence, inside=True)
     family = family_of(options)
     if not family.sides and not family.fixed:
         raise InputError(f"scene: {shown(options.scene)} has no parameters; add [parameters]")
@@ -148,13 +148,6 @@ def run_sample(options: Options, limits: Budget, jobs: int) -> int:
     else:
         show(list(sample_lines(document)), options)
     return 0
-
-
-def _confidence(text: str) -> Fraction:
-    level = Fraction(1) if text == "100" else share("--confidence", text)
-    if not 0 < level < 1:
-        raise InputError(f"--confidence: {shown(text)} is not in (0, 1); write for example 99%")
-    return level
 
 
 def _decide(

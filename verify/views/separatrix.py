@@ -177,9 +177,8 @@ def _units(found: Separatrix) -> Iterator[str]:
     if found.parameters.is_unlike:
         scale, rho = (_number(ends, SHOWN_DIGITS) for ends in (found.scale, found.rho))
         yield (
-            "Ball 1 has just collided with ball 0, the middle one; ball 2 is next. "
-            f"q is {scale} φ₁, in φ₂ the gap is divided by the radii of 0 and 2 together, and ρ is "
-            f"{rho}."
+            "Ball 0 is in the middle; ball 1 has just collided with it, and ball 2 is next. "
+            f"Here q is {scale} times φ₁ and ρ is {rho}; the gap in φ₂ is measured in R₀ + R₂."
         )
 
 

@@ -90,8 +90,8 @@ def positive(option: str, text: str) -> Fraction:
     return value
 
 
-def share(option: str, text: str) -> Fraction:
-    """Read a share between 0 and 1, which may be in percent.
+def share(option: str, text: str, *, inside: bool = False) -> Fraction:
+    """Read a share from 0 to 1, which may be in percent; one ``inside`` is neither 0 nor 1.
 
     Raises:
         InputError: for any other text.
@@ -100,9 +100,15 @@ def share(option: str, text: str) -> Fraction:
     if text.endswith("%") and "," in text:
         raise InputError(f"{option}: {shown(text)} is no share; write {number}%")
     value = rational(option, text.removesuffix("%")) / (100 if text.endswith("%") else 1)
-    if not 0 <= value <= 1:
-        meant = f"{text}%" if 1 < value < 100 and not text.endswith("%") else "a share such as 0.1%"
-        raise InputError(f"{option}: {shown(text)} is no share; write {meant}")
+
+    def fits(one: Fraction) -> bool:
+        return 0 < one < 1 if inside else 0 <= one <= 1
+
+    if not fits(value):
+        is_percent = value > 1 and fits(value / 100) and not text.endswith("%")
+        meant = f"{text}%" if is_percent else "for example 99%" if inside else "for example 0.1%"
+        where = "(0, 1)" if inside else "[0, 1]"
+        raise InputError(f"{option}: {shown(text)} is not in {where}; write {meant}")
     return value
 
 

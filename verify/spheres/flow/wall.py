@@ -20,15 +20,23 @@ from itertools import pairwise
 from verify.language.record import Record
 from verify.prover import balls
 from verify.spheres.flow.law import Number
-from verify.spheres.flow.sandwich import ABOVE, MOST, ROUNDS, SLACK, STEPS, TINY, above, root_part
+from verify.spheres.flow.sandwich import (
+    ABOVE,
+    LEAST,
+    MOST,
+    ROUNDS,
+    SLACK,
+    STEPS,
+    TINY,
+    above,
+    root_part,
+)
 from verify.spheres.flow.three_balls import below, decay
 
 Point = tuple[Fraction, Fraction]
-#: No number is smaller.
-LEAST = 1e-250
 
 
-class Pair(Record):
+class WallPair(Record):
     """What the wall and ball 1 give to ball 0: shares and coefficients of restitution.
 
     The first is that of ball 1, the second that of the wall. ``least_cosine`` keeps ball 1 off the
@@ -68,7 +76,7 @@ class Bounds(Record):
     The first of two is that of contacts with ball 1, the second that of bounces.
     """
 
-    pair: Pair
+    pair: WallPair
     G: Fraction
     w: Fraction
     U_b: Fraction
@@ -88,17 +96,17 @@ class WallCollapse(Record):
     cosine: tuple[Number, Number]
 
 
-def find_wall(pair: Pair, start: Start) -> WallCollapse | None:
+def find_wall(pair: WallPair, start: Start) -> WallCollapse | None:
     """Why the balls collapse; None if the search finds no numbers, or balls do not show it."""
     y, eta, d, A, C = start
     if not (y > 0 and eta > 0 and d > 0 and A > 0 and C > 0):
         return None
     unit = balls.decimal(balls.any_root(A), 6 - balls.exponent(balls.any_root(A)), above=True)
-    found = _search(pair, start, balls.as_fraction(unit))
+    found = search(pair, start, balls.as_fraction(unit))
     if found is None:
         return None
     x, points = found
-    if not (_closes(x, points) and _decays(x) and _holds_at(x, points[0], start, unit)):
+    if not shows(x, points, start, unit):
         return None
     rest = balls.exact(1 - x.Y[0] * x.Y[1])
     first = balls.exact(x.G) * y / rest * balls.exact(pair.contact)
@@ -112,7 +120,7 @@ def find_wall(pair: Pair, start: Start) -> WallCollapse | None:
 # --- the search, in floats ------------------------------------------------------------------------
 
 
-def _search(pair: Pair, start: Start, unit: Fraction) -> tuple[Bounds, list[Point]] | None:
+def search(pair: WallPair, start: Start, unit: Fraction) -> tuple[Bounds, list[Point]] | None:
     """Numbers, and points of which the last is below the one before."""
     size = balls.exact(unit)
     e, W = balls.as_float(start.y / size), balls.as_float(balls.any_root(start.A) / size)
@@ -143,7 +151,11 @@ def _search(pair: Pair, start: Start, unit: Fraction) -> tuple[Bounds, list[Poin
 
 
 def _bounds(
-    pair: Pair, at: tuple[float, float, float, float], widest: Fraction, z_b: Fraction, G: Fraction
+    pair: WallPair,
+    at: tuple[float, float, float, float],
+    widest: Fraction,
+    z_b: Fraction,
+    G: Fraction,
 ) -> Bounds | None:
     """All bounds, where no U and no z are larger than these, and G is not smaller."""
     e, W, q, C = at
@@ -217,6 +229,11 @@ def _height(x: Bounds, at: Point) -> Fraction | None:
 
 
 # --- the conditions -------------------------------------------------------------------------------
+
+
+def shows(x: Bounds, points: list[Point], start: Start, unit: Number) -> bool:
+    """True only if the numbers, whose speeds are in a unit, satisfy all that the theorem asks."""
+    return _closes(x, points) and _decays(x) and _holds_at(x, points[0], start, unit)
 
 
 def _closes(x: Bounds, points: list[Point]) -> bool:

@@ -29,8 +29,7 @@ from verify.prover import balls
 from verify.spheres.flow.collapse import Collapse, start_of
 from verify.spheres.flow.law import Number
 from verify.spheres.flow.three_balls import Bodies, find_three_balls, scaled
-from verify.spheres.flow.wall import Pair as WallPair
-from verify.spheres.flow.wall import Start, WallCollapse, find_wall
+from verify.spheres.flow.wall import Start, WallCollapse, WallPair, find_wall
 from verify.spheres.many.motion import ZERO, Approach, Motion, Shift
 from verify.spheres.many.queue import Queue, above
 from verify.spheres.many.system import System

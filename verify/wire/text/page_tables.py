@@ -28,6 +28,7 @@ from verify.language.terms import Claim, Term, names_of
 from verify.prover.hint import Hint
 from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.text import Page
+from verify.wire.text.estimates import estimate
 from verify.wire.text.infix import (
     CALLED,
     Names,
@@ -39,7 +40,7 @@ from verify.wire.text.infix import (
 )
 from verify.wire.text.letters import letter_of, name_of, tex_of
 from verify.wire.text.places import Places
-from verify.wire.text.points import Points, contradiction, estimate
+from verify.wire.text.points import Points, contradiction
 from verify.wire.text.scope import Scope
 
 if TYPE_CHECKING:

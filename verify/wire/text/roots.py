@@ -17,7 +17,7 @@ from verify.language.statement import NEEDED, Context, Given, Obligation, Variab
 from verify.language.terms import Claim, Term, as_term, names_of, substitute, symbol
 from verify.prover.search.derivatives import derivative
 from verify.wire.inputs import InputError, shown
-from verify.wire.text.points import estimate
+from verify.wire.text.estimates import estimate
 
 #: The ends between which a root is named have so many decimals.
 DIGITS = 12

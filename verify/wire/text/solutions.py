@@ -10,7 +10,7 @@ from math import isqrt
 
 from verify.language.fold import BOUNDED, MissingOperationError, fold
 from verify.language.terms import Claim, Term, as_term, nth_root, sqrt, substitute, symbol
-from verify.wire.text.points import estimate, simplest
+from verify.wire.text.estimates import estimate, simplest
 
 #: Roots of a larger index are no candidates.
 MOST_INDEX = 20

@@ -1,0 +1,80 @@
+"""Values at a point: about, in floats; and exactly, where all numbers on the way are rational."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+
+from verify.language.fold import BOUNDED, MissingOperationError, fold, holds
+from verify.language.terms import Claim, Term, names_of, symbol
+
+#: The exponential of this is beyond all floats.
+MOST_EXPONENT = 709.0
+#: Two numbers that are as near as this are taken for equal.
+NEAR = 1e-9
+_ALGEBRA: Mapping[str, Callable[..., float]] = {
+    **{name: getattr(math, name) for name in ("sqrt", "log", "sin", "cos", "atan")},
+    "exp": lambda x: math.exp(x) if x < MOST_EXPONENT else math.inf,
+    "pi": lambda: math.pi,
+    "cos_pi": lambda x: math.cos(math.pi * x),
+    "min": min,
+    "max": max,
+    "rational": float,
+    "add": lambda x, y: x + y,
+    "sub": lambda x, y: x - y,
+    "mul": lambda x, y: x * y,
+    "div": lambda x, y: x / y,
+    "neg": lambda x: -x,
+    "pow": lambda x, exponent: x**exponent,
+    "root": lambda x, index: x ** (1 / index) if x >= 0 else math.nan,
+}
+
+
+def estimate(term: Term, values: Mapping[str, float]) -> float:
+    """About the value of a term; NaN where it has none, or where a name in it has none."""
+
+    def named(name: str) -> float:
+        return values.get(name, math.nan)
+
+    try:
+        return fold(term, {**_ALGEBRA, "symbol": named}, {})
+    except (ArithmeticError, ValueError, MissingOperationError, RecursionError):
+        return math.nan
+
+
+def seems(claim: Claim, at: Mapping[str, float], point: Mapping[str, Term]) -> bool:
+    """Whether a claim holds as far as floats tell; next to equality exactly, if that can be."""
+    left, right = estimate(claim.lhs, at), estimate(claim.rhs, at)
+    near = NEAR * (1 + abs(left))
+    if abs(left - right) > near:
+        return claim.relation != "=" and left < right
+    sides = exactly(claim, point)
+    if sides is None:
+        return claim.relation != "<" and abs(left - right) <= near
+    return holds(claim.relation, *sides)
+
+
+def exactly(claim: Claim, point: Mapping[str, Term]) -> list[Fraction] | None:
+    """The sides at a point, if all numbers on the way are rational and not long."""
+    numbers = {
+        symbol(n): point[n].value
+        for n in names_of(claim.lhs, claim.rhs)
+        if n in point and point[n].op == "rational"
+    }
+    try:
+        return [fold(side, BOUNDED, numbers) for side in (claim.lhs, claim.rhs)]
+    except (ArithmeticError, MissingOperationError, RecursionError):
+        return None
+
+
+def simplest(low: float, high: float) -> Fraction:
+    """A rational number with a small denominator well between two numbers."""
+    middle, width = (low + high) / 2, high - low
+    if not math.isfinite(middle) or width <= 0:
+        return Fraction(0)
+    for digits in range(1, 60):
+        found = Fraction(middle).limit_denominator(2**digits)
+        if abs(found - Fraction(middle)) < width / 4:
+            return found
+    return Fraction(middle)

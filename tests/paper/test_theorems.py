@@ -297,7 +297,7 @@ def test_the_point_is_inside(name: str) -> None:
     """No given is sharp at the point but that a speed is the smaller one: there is an interior."""
     with balls.precision(4000):
         terms = pages.statement(name).context("start").point
-        point = {key: arb(balls.exact(term.value)) for key, term in terms.items()}
+        point = {key: arb(balls.fmpq_of(term.value)) for key, term in terms.items()}
         for given, claim in givens(name).items():
             if claim.relation != "=" and given not in COLLAPSES[name].sharp:
                 assert holds(Claim("<", claim.lhs, claim.rhs), point), given

@@ -209,10 +209,16 @@ def strict_sign(ball: arb) -> int:
 
 def ends(ball: arb) -> tuple[Fraction, Fraction]:
     """Rational numbers that enclose a ball: its ends, rounded outward to the precision."""
-    return _dyadic(ball.lower()), _dyadic(ball.upper())
+    return dyadic(ball.lower()), dyadic(ball.upper())
 
 
-def _dyadic(ball: arb) -> Fraction:
+def exact_ends(ball: arb) -> tuple[arb, arb]:
+    """The same ends, as balls that are exact numbers."""
+    return ball.lower(), ball.upper()
+
+
+def dyadic(ball: arb) -> Fraction:
+    """The number that an exact ball is."""
     mantissa, exponent = map(int, ball.man_exp())
     if exponent >= 0:
         return Fraction(mantissa << exponent)
@@ -236,11 +242,6 @@ def widened_ends(ball: arb, bits: int) -> tuple[int, int, int]:
 def accuracy_bits(ball: arb) -> int:
     """How many relative bits of the ball are known; very large for an exact one."""
     return int(ball.rel_accuracy_bits())
-
-
-def exact(value: Fraction) -> fmpq:
-    """The same rational number, of a kind that mixes with balls."""
-    return fmpq(value.numerator, value.denominator)
 
 
 def is_rational(value: Any) -> bool:
@@ -272,7 +273,7 @@ def short_rational(value: Any, digits: int = 12) -> Fraction:
     middle = as_ball(value).mid()
     if middle.is_zero():
         return Fraction(0)
-    mantissa, exponent = round_decimal(_dyadic(middle), digits, up=False)
+    mantissa, exponent = round_decimal(dyadic(middle), digits, up=False)
     return mantissa * Fraction(10) ** exponent
 
 
@@ -295,17 +296,12 @@ def ratio(top: int, divisor: int) -> fmpq:
     return fmpq(top, divisor)
 
 
-def as_fraction(value: fmpq) -> Fraction:
-    """The same rational number."""
-    return Fraction(int(value.p), int(value.q))
-
-
 def decimal(value: Any, places: int, *, above: bool = False) -> fmpq:
     """A decimal with so many places near a number, or no less than the number."""
     power = fmpq(10) ** places
     ball = as_ball(value)
     scaled = ((ball.upper() if above else ball.mid()) * power).upper()
-    return fmpq(_dyadic(scaled.ceil()).numerator) / power
+    return fmpq(dyadic(scaled.ceil()).numerator) / power
 
 
 def larger(a: Any, b: Any) -> arb:

@@ -142,25 +142,25 @@ def _near_roots(parameters: Parameters, bits: int) -> tuple[Ends, Ends]:
     """Numbers around the roots of x^2 - a x + r."""
     r, square = parameters.r, parameters.square_a
     with balls.precision(2 * bits):  # at which the ends of balls are rounded
-        a, apart = (balls.any_root(balls.exact(x)) for x in (square, square - 4 * r))
+        a, apart = (balls.any_root(balls.fmpq_of(x)) for x in (square, square - 4 * r))
         plus = (a + apart) / 2
         if balls.is_rational(plus):
-            exact = balls.as_fraction(plus)
+            exact = balls.fraction_of(plus)
             return (r / exact, r / exact), (exact, exact)
         return balls.ends(balls.from_fraction(r) / plus), balls.ends(plus)
 
 
 def root(square: Fraction) -> Ball:
     """The square root of a positive number, at the current precision."""
-    return balls.as_ball(balls.any_root(balls.exact(square)))
+    return balls.as_ball(balls.any_root(balls.fmpq_of(square)))
 
 
 def root_ends(square: Fraction, bits: int) -> Ends:
     """Numbers around the square root of a positive one; the same, if it is rational."""
     with balls.precision(bits):
-        found = balls.any_root(balls.exact(square))
+        found = balls.any_root(balls.fmpq_of(square))
         if balls.is_rational(found):
-            return (balls.as_fraction(found),) * 2
+            return (balls.fraction_of(found),) * 2
         return balls.ends(found)
 
 

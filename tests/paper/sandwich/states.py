@@ -36,7 +36,7 @@ class Applied(NamedTuple):
 
 def holds(claim: Claim, at: Values) -> bool:
     """Whether a claim is certain."""
-    lhs, rhs = (value(side, at, balls.exact) for side in (claim.lhs, claim.rhs))
+    lhs, rhs = (value(side, at, balls.fmpq_of) for side in (claim.lhs, claim.rhs))
     return bool(lhs < rhs if claim.relation == "<" else lhs <= rhs)
 
 
@@ -53,7 +53,7 @@ def start_of(particles: Particles) -> Start:
 
 def values_of(found: tuple[Bounds, Stair], unit: Fraction, start: Start) -> Values:
     """The numbers and the state, by their names in the statement."""
-    numbers = numbers_of(*found, balls.exact(unit))
+    numbers = numbers_of(*found, balls.fmpq_of(unit))
     return {**numbers, **{f"{name}_start": x for name, x in start._asdict().items()}}
 
 
@@ -81,7 +81,7 @@ def stair_fails(
     found = []
     for n, ((Q, U), (Q_next, U_next)) in enumerate(pairwise(points)):
         numbers = {"Q": Q, "U": U, "Q_next": Q_next, "U_next": U_next}
-        step = {name: balls.exact(x) for name, x in numbers.items()} | each[n % 2]
+        step = {name: balls.fmpq_of(x) for name, x in numbers.items()} | each[n % 2]
         named = {f"stair.{name}": x for name, x in step.items()}
         found += [name for name, claim in claims.items() if not holds(claim, named)]
     if points[-1][0] > points[-3][0] or points[-1][1] > points[-3][1]:

@@ -44,7 +44,7 @@ def below(number: float) -> Fraction:
 def step_at(at: Values, n: int, here: Point) -> tuple[arb, arb, arb]:
     """P, the load and r (1-U), at the n-th step from a point."""
     v_s, w_c = (at["v_0"], at["w_1"]) if n % 2 else (at["v_1"], at["w_0"])
-    Q, U = map(balls.exact, here)
+    Q, U = map(balls.fmpq_of, here)
     push = (v_s / w_c) ** 2 * U
     P = (1 + at["r"]) / 2 * at["G"] * at["C_p"] * (1 - U) - Q - push
     return P, push * (2 * Q + push), at["r"] * (1 - U)
@@ -63,7 +63,7 @@ def fails(at: Values, points: tuple[Point, ...]) -> list[str]:
     for n, (here, following) in enumerate(pairwise(points)):
         v_s, w_c = (at["v_0"], at["w_1"]) if n % 2 else (at["v_1"], at["w_0"])
         named = dict(zip(("Q_n", "U_n", "Q_next", "U_next"), (*here, *following), strict=True))
-        known = {f"floor.{name}": balls.exact(x) for name, x in named.items()}
+        known = {f"floor.{name}": balls.fmpq_of(x) for name, x in named.items()}
         known |= {"floor.alpha": (1 + at["r"]) / 2 * at["G"] * at["C_p"], "floor.R": at["r"]}
         known["floor.rho"] = (v_s / w_c) ** 2
         found += [name for name, claim in steps.items() if not holds(claim, known)]
@@ -88,14 +88,14 @@ def numbers_of(r: Fraction, start: Start) -> tuple[Values, Point] | None:
     w_0, w_1 = above((A + gain) * SLACK), above((B + gain) * SLACK)
     turning = (float(w_0 + w_1) + 2 * y) * float(G / v**2) / (1 - ratio)
     C_p = above((balls.as_float(start.C) + turning * y) * SLACK)
-    d, v_c = start.d, balls.exact(v_0)
+    d, v_c = start.d, balls.fmpq_of(v_0)
     zeta = d * (2 + d) * v_c**2 / ((1 + d) * start.y) ** 2
     if C_p > 2 or not zeta < 1:
         return None
     U_0 = below(balls.as_float(1 - (1 - zeta).sqrt()) / SLACK)
     Q_0 = below(balls.as_float(start.eta_s / start.y) / SLACK)
     found = {"r": r, "G": G, "v": v, "v_0": v_0, "v_1": v_1, "w_0": w_0, "w_1": w_1, "C_p": C_p}
-    exact = {name: balls.exact(x) for name, x in (found | {"Q_0": Q_0, "U_0": U_0}).items()}
+    exact = {name: balls.fmpq_of(x) for name, x in (found | {"Q_0": Q_0, "U_0": U_0}).items()}
     return {**exact, **{f"{name}_start": x for name, x in start._asdict().items()}}, (Q_0, U_0)
 
 

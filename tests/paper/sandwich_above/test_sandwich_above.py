@@ -64,7 +64,10 @@ def test_a_state_just_outside_is_not_accepted() -> None:
             if end is not None:
                 found.append(end)
         for _, at, points in found:
-            more, less = 1 + balls.exact(Fraction(1, 10**4)), 1 - balls.exact(Fraction(1, 10**4))
+            more, less = (
+                1 + balls.fmpq_of(Fraction(1, 10**4)),
+                1 - balls.fmpq_of(Fraction(1, 10**4)),
+            )
             for name, number, by in (
                 ("start-q", "Q_0", more),
                 ("start-C", "C_p", less),

@@ -84,7 +84,7 @@ class Applied(NamedTuple):
 
 def values_of(found: tuple[Bounds, Stair], start: Start) -> Values:
     """The numbers and the state, by their names in the statement."""
-    numbers = numbers_of(*found, balls.exact(UNIT))
+    numbers = numbers_of(*found, balls.fmpq_of(UNIT))
     return {**numbers, **{f"{name}_start": x for name, x in start._asdict().items()}}
 
 

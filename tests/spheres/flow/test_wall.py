@@ -18,7 +18,9 @@ Change = Callable[[Bounds, list[Point]], tuple[Bounds, list[Point]]]
 def state(**changed: Fraction) -> Start:
     """A state whose collapse is found; its contacts are as long as their distance."""
     numbers = {"y": F(1, 100), "eta": F(1, 500), "d": F(1, 10**6), "A": F(10001, 10000)}
-    return Start(**{k: balls.exact(x) for k, x in (numbers | {"C": F(99, 100)} | changed).items()})
+    return Start(
+        **{k: balls.fmpq_of(x) for k, x in (numbers | {"C": F(99, 100)} | changed).items()}
+    )
 
 
 def pair(least_cosine: Fraction = NONE) -> WallPair:
@@ -90,8 +92,8 @@ def test_numbers_that_claim_more_are_refused(name: str) -> None:
     with balls.precision(200):
         found = search(pair(), state(), F(2))
         assert found is not None
-        assert shows(*found, state(), balls.exact(F(2)))
-        assert not shows(*LIES[name](*found), state(), balls.exact(F(2)))
+        assert shows(*found, state(), balls.fmpq_of(F(2)))
+        assert not shows(*LIES[name](*found), state(), balls.fmpq_of(F(2)))
 
 
 STATES = {
@@ -113,7 +115,7 @@ def test_numbers_of_another_state_are_refused(name: str) -> None:
         assert found is not None
         other = state(**STATES[name])
         refused = find_wall(pair(), other) is None
-        assert refused or not shows(*found, other, balls.exact(F(2)))
+        assert refused or not shows(*found, other, balls.fmpq_of(F(2)))
 
 
 def test_a_large_ball_may_touch_the_wall() -> None:

@@ -34,8 +34,8 @@ def test_apart_is_said_only_where_it_is_so_at_all_times() -> None:
     for _ in range(600):
         x, w = ([decimal(rng, -4, 4) for _ in range(2)] for _ in range(2))
         reach, slope, time = decimal(rng, 0.1, 2), decimal(rng, 0, 2), decimal(rng, 0.1, 3)
-        exact = [[balls.exact(a) for a in row] for row in (x, w)]
-        numbers = [balls.exact(a) for a in (reach, slope, time)]
+        exact = [[balls.fmpq_of(a) for a in row] for row in (x, w)]
+        numbers = [balls.fmpq_of(a) for a in (reach, slope, time)]
         for end in (time, None):
             found = is_apart(*exact, *numbers[:2], None if end is None else numbers[2])
             last = time if end else Fraction(40)
@@ -57,7 +57,7 @@ def test_apart_is_said_only_where_it_is_so_at_all_times() -> None:
 
 
 def groups_of(given: System) -> list[list[int]] | None:
-    return find_groups(Queue(Motion(given, 128)), balls.exact(Fraction(1, 10**6)))
+    return find_groups(Queue(Motion(given, 128)), balls.fmpq_of(Fraction(1, 10**6)))
 
 
 def test_groups_that_never_meet() -> None:

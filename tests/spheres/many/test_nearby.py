@@ -99,7 +99,7 @@ def test_none_that_touches_is_left_out(low: int, high: int) -> None:
         with balls.precision(rng.choice((64, 200))):
             motion = Motion(system, 128)
             if rng.random() < 0.5:
-                since = balls.exact(rng.randint(1, 99) * Fraction(10) ** rng.randint(-6, 6))
+                since = balls.fmpq_of(rng.randint(1, 99) * Fraction(10) ** rng.randint(-6, 6))
                 motion.balls[0] = Ball(since, *motion.at(0, since)[1:])
             now, ways = motion.balls[0].time, Ways(motion)
             wait = meeting(motion.pair(0, 1, now, ()))

@@ -60,7 +60,7 @@ def test_natural_data_have_exact_answers(name: str) -> None:
     assert (found.event is not None) == (reason in EXACT)
     assert found.flow.bits == 128, "more bits would not decide it"
     if found.event is not None and time is not None:
-        assert balls.as_fraction(found.event.time) == Fraction(time)
+        assert balls.fraction_of(found.event.time) == Fraction(time)
 
 
 def test_a_script_finds_reason_and_time_in_the_table(tmp_path: Path) -> None:

@@ -38,7 +38,7 @@ ORDERS = [*permutations(range(3))]
 def times_of(found: Fate) -> list[Fraction | None]:
     """The times of the collisions, where they are rational."""
     times = (move.after.time for move in found.flow.collisions)
-    return [balls.as_fraction(x) if balls.is_rational(x) else None for x in times]
+    return [balls.fraction_of(x) if balls.is_rational(x) else None for x in times]
 
 
 def renamed(scene: Scene, order: tuple[int, ...]) -> Scene:
@@ -66,7 +66,7 @@ def test_impacts_at_a_right_angle_commute(order: tuple[int, ...]) -> None:
     """The two others meet later: at the time 5 - 2√2."""
     found = decide_scene(renamed(read_scene("a", RIGHT_ANGLE), order))
     pairs = back(pairs_of(found), order)
-    assert [balls.as_fraction(move.after.time) for move in found.flow.collisions[:2]] == [1, 1]
+    assert [balls.fraction_of(move.after.time) for move in found.flow.collisions[:2]] == [1, 1]
     assert (found.verdict, sorted(pairs[:2]), pairs[2:]) == (DISPERSES, ["01", "02"], ["12"])
     with balls.precision(found.flow.bits):
         low, high = balls.ends(balls.as_ball(found.flow.collisions[-1].after.time))

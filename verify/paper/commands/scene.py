@@ -102,7 +102,7 @@ def _tell_end(telling: Telling, found: Fate) -> None:
             low, high = (balls.ends(balls.as_ball(end)) for end in found.collapse.time)
         time = short_outward((low[0], high[1]))
         angle = short_outward(found.collapse.angle)
-        numbers = {name: balls.as_fraction(x) for name, x in found.collapse.numbers.items()}
+        numbers = {name: balls.fraction_of(x) for name, x in found.collapse.numbers.items()}
         telling.collapse(Numbers(numbers, time, angle, found.collapse.stair))
     elif found.verdict == DISPERSES:
         telling.disperse(found.flow.apart)

@@ -93,7 +93,7 @@ class Collapse(Record):
         """Between what -cos of the final angle lies."""
         if self.is_on_a_line:
             return Fraction(1), Fraction(1)
-        C, theta = (balls.as_fraction(self.numbers[name]) for name in ("C_0", "Theta"))
+        C, theta = (balls.fraction_of(self.numbers[name]) for name in ("C_0", "Theta"))
         return C - theta, min(C + theta, Fraction(1))
 
 
@@ -142,21 +142,21 @@ def find_line_collapse(
     if not (state.lam > 0 and state.C > 0):
         return None
     start = start_of(state, sizes)
-    b, b_s = (balls.as_fraction((1 + balls.exact(r)) / of.ratio) for of in (sizes, other))
+    b, b_s = (balls.fraction_of((1 + balls.fmpq_of(r)) / of.ratio) for of in (sizes, other))
     if not (start.y > 0 and start.eta_s > 0 and start.d > 0):
         return None
     least = _fixed_point(r / (b * b_s))
     if least is None:
         return None
-    q = start.eta_s / (balls.exact(b) * start.y)
-    Q = max(balls.as_fraction(short_above(q)), least)
-    is_below = start.eta_s <= balls.exact(Q * b) * start.y
+    q = start.eta_s / (balls.fmpq_of(b) * start.y)
+    Q = max(balls.fraction_of(short_above(q)), least)
+    is_below = start.eta_s <= balls.fmpq_of(Q * b) * start.y
     if not (2 * Q < 1 and r <= b * b_s * Q * (1 - Q) and is_below):
         return None
-    E = balls.exact((1 - Q) / (1 - 2 * Q))
+    E = balls.fmpq_of((1 - Q) / (1 - 2 * Q))
     reach = 1 if sizes is EQUAL else balls.any_root(sizes.c)
     later = E * (start.d * reach / start.y)
-    return Collapse({"Q": balls.exact(Q), "E": E}, start, (time, time + later))
+    return Collapse({"Q": balls.fmpq_of(Q), "E": E}, start, (time, time + later))
 
 
 def _fixed_point(r: Fraction) -> Fraction | None:
@@ -241,7 +241,7 @@ def search_numbers(r: Fraction, start: Start) -> dict[str, Number] | None:
         before = size
     low, high = balls.ends(balls.as_ball(start.C))
     trial.Theta = max(trial.Theta, 4 * float(high - low))  # no less than what is known of the angle
-    return _rational(trial, start) | {"r": balls.exact(r), "V_0": V_0, "eta_0": eta_0}
+    return _rational(trial, start) | {"r": balls.fmpq_of(r), "V_0": V_0, "eta_0": eta_0}
 
 
 def _rational(trial: Trial, start: Start) -> dict[str, Number]:

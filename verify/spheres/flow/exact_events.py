@@ -44,7 +44,7 @@ class Contact(Record):
 def what_happens(flow: Flow) -> Event | None:
     """The next event, if it is certain that it is one of these two."""
     found = pairs_now(flow)
-    start = balls.exact(Fraction(0)) if flow.now is None else flow.now.time
+    start = balls.fmpq_of(Fraction(0)) if flow.now is None else flow.now.time
     event = _of_rationals(found) if all(map(_is_rational, found.values())) else None
     if event is None:
         event = _of_symmetry(flow, found)
@@ -72,7 +72,7 @@ def _of_rationals(pairs: Mapping[str, Pair]) -> Event | None:
 def contact(pair: Pair) -> Contact | None:
     """The next contact of a pair with rational numbers, or the one that there is now."""
     g, p, m = pair
-    zero = balls.exact(Fraction(0))
+    zero = balls.fmpq_of(Fraction(0))
     if g == 0:
         return Contact(pair, zero, collides=bool(p < 0))
     below = p * p - m * g

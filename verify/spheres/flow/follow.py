@@ -46,7 +46,7 @@ NEAREST = 1 << 40
 #: Times that differ by such a share count as a tie in messages.
 SAME = 1e-9
 GRAZE = "may graze or miss"
-ZERO = balls.exact(Fraction(0))
+ZERO = balls.fmpq_of(Fraction(0))
 
 
 #: The names of what balls may leave open.
@@ -101,8 +101,8 @@ class Flow:
 
     def __init__(self, scene: Scene, bits: int) -> None:
         self.scene, self.bits = scene, bits
-        self.r = balls.exact(scene.r)
-        self.start: Coordinates = coordinates(scene, balls.exact)
+        self.r = balls.fmpq_of(scene.r)
+        self.start: Coordinates = coordinates(scene, balls.fmpq_of)
         self.moves: list[Move] = []
         self.collisions: list[Move] = []
         #: Why each pair does not collide any more, by its name, once that is certain.
@@ -117,7 +117,7 @@ class Flow:
 
     def sizes(self, frame: Frame) -> Sizes:
         """What the law needs of the spheres besides r."""
-        return sizes_of(self.scene, frame, balls.exact)
+        return sizes_of(self.scene, frame, balls.fmpq_of)
 
     def keep(self, _: str, value: Number) -> Number:
         """A rational number stays one while it is short."""
@@ -192,13 +192,13 @@ class Flow:
             if weights is None:
                 return None
         o, s, c = moment.frame
-        r = balls.exact(self.scene.restitution(moment.frame[0], moment.frame[2]))
+        r = balls.fmpq_of(self.scene.restitution(moment.frame[0], moment.frame[2]))
         state = collided(r, moment.state, way, self.keep, sizes)
         after = Moment((o, c, s), state, self.keep("time", moment.time + way.y * way.T))
         return [*moves, Move(COLLIDE, moment, after, way, weights=weights)]
 
     def _drift(self, moment: Moment, time: Fraction) -> Move:
-        exact = balls.exact(time)
+        exact = balls.fmpq_of(time)
         state = drifted(moment.state, exact, self.keep)
         after = Moment(moment.frame, state, self.keep("time", moment.time + exact))
         return Move(DRIFT, moment, after, None, time)
@@ -293,7 +293,7 @@ def touching(state: State, way: Flight, sizes: Sizes) -> Weights | None:
     corner = sizes.c + state.C - time * (state.a + state.b + time * state.w)
     if not (balls.is_rational(corner) and corner == 0):
         return None
-    return Weights(own, Fraction(0), balls.as_fraction(balls.decimal(-rate, 0, above=True)))
+    return Weights(own, Fraction(0), balls.fraction_of(balls.decimal(-rate, 0, above=True)))
 
 
 def _never_overlaps(pair: Pair, time: Number) -> bool:
@@ -311,7 +311,7 @@ def _weight(rate: Number, gap: Number) -> Fraction | None:
     if rate >= 0:
         return Fraction(0)
     if gap > 0:
-        return balls.as_fraction(balls.decimal(balls.as_ball(-rate / gap), 0, above=True))
+        return balls.fraction_of(balls.decimal(balls.as_ball(-rate / gap), 0, above=True))
     return None
 
 
@@ -330,7 +330,7 @@ def passing(state: State, way: Flight, sizes: Sizes) -> Fraction | None:
 
 def is_free(drift: Move, sizes: Sizes) -> bool:
     """True only if all pairs are apart during a drift."""
-    state, time = drift.before.state, balls.exact(drift.time)
+    state, time = drift.before.state, balls.fmpq_of(drift.time)
     pairs = (*inner(state), outer(state, sizes))
     return bool(time > 0) and all(stays_apart(pair, time) for pair in pairs)
 

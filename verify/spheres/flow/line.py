@@ -58,7 +58,7 @@ def follow_line(flow: Flow, most: int) -> LineRun | None:
     if not state.lam > 0:
         return None
     sizes = flow.sizes((o, s, c))
-    restitutions = [balls.exact(flow.scene.restitution(o, i)) for i in (c, s)]
+    restitutions = [balls.fmpq_of(flow.scene.restitution(o, i)) for i in (c, s)]
     both = zip(restitutions, (sizes, flow.sizes((o, c, s))), strict=True)
     shares = [(1 + r) / of.ratio for r, of in both]
     reach = balls.any_root(sizes.c + state.eps * state.v**2)

@@ -206,7 +206,7 @@ def _closes(bounds: Fixed, n: int, here: Point) -> tuple[Point, Point] | None:
 
 def search(r: Fraction, start: Start, unit: Fraction) -> tuple[Bounds, Stair] | None:
     """A stair that probably begins above a state; speeds are in this unit."""
-    size = balls.exact(unit)
+    size = balls.fmpq_of(unit)
     e = balls.as_float(start.y / size)
     speeds = [balls.as_float(balls.any_root(x) / size) for x in (start.A, start.B)]
     reach = (1 + start.d) * start.y
@@ -247,7 +247,7 @@ def bounds_of(r: Fraction, C: Number, sizes: Sequence[float], widest: Fraction) 
     w_0, w_1 = above((W_0 + ratio * gain) * (1 + TINY)), above((W_1 + gain) * (1 + TINY))
     step = float(G * widest / min(w_0, w_1) ** 2) / (1 - ratio)
     theta = max((float(w_0 + w_1) + e) * step * e * TURN_SLACK, LEAST)
-    C_0 = min(balls.as_fraction(balls.decimal(C, 4 - math.floor(math.log10(theta)))), Fraction(1))
+    C_0 = min(balls.fraction_of(balls.decimal(C, 4 - math.floor(math.log10(theta)))), Fraction(1))
     return Bounds(r, G, w_0, w_1, MOST, C_0, above(theta))
 
 
@@ -259,7 +259,7 @@ def find_sandwich(r: Fraction, state: State, time: Number) -> Collapse | None:
     if not (start.A > 0 and start.B > 0 and start.y > 0 and start.eta_s > 0 and start.d > 0):
         return None
     unit = short_above(balls.any_root(balls.larger(start.A, start.B)))
-    found = search(r, start, balls.as_fraction(unit))
+    found = search(r, start, balls.fraction_of(unit))
     if found is None:
         return None
     bounds, stair = found
@@ -275,8 +275,8 @@ def numbers_of(x: Bounds, stair: Stair, unit: Number) -> dict[str, Number]:
     Q_0, U_0 = stair.points[0]
     others = {name: getattr(x, name) for name in ("r", "G", "U_b", "C_0", "Theta")}
     others |= {"Q_0": Q_0, "U_0": U_0}
-    exact = {name: balls.exact(value) for name, value in others.items()}
-    w_0, w_1 = (balls.exact(w) * unit for w in (x.w_0, x.w_1))
+    exact = {name: balls.fmpq_of(value) for name, value in others.items()}
+    w_0, w_1 = (balls.fmpq_of(w) * unit for w in (x.w_0, x.w_1))
     return exact | {"w_0": w_0, "w_1": w_1, "w_b": min(w_0, w_1)}
 
 

@@ -172,7 +172,7 @@ def bounds_of(bodies: Bodies, at: Sizes, widest: Fraction, before: Bounds | None
     z = above(e * max(1, float(fall[0]), share[0], share[1] * float(fall[0])) * (1 + TINY))
     theta = max(float(w_0 + w_1 + z) * float(E[0]) * e * TURN_SLACK, LEAST)
     C_0 = min(
-        balls.as_fraction(balls.decimal(at.C, 4 - math.floor(math.log10(theta)))), Fraction(1)
+        balls.fraction_of(balls.decimal(at.C, 4 - math.floor(math.log10(theta)))), Fraction(1)
     )
     return Bounds(
         bodies, G_new, (w_0, w_1), MOST, C_0, above(theta), (fall[0], fall[1]), least,
@@ -182,7 +182,7 @@ def bounds_of(bodies: Bodies, at: Sizes, widest: Fraction, before: Bounds | None
 
 def search(bodies: Bodies, start: Start, unit: Fraction) -> tuple[Bounds, Stair] | None:
     """A stair that probably begins above a state, with bounds that decay, in a unit of speed."""
-    size = balls.exact(unit)
+    size = balls.fmpq_of(unit)
     speeds = [balls.as_float(balls.any_root(x) / size) for x in (start.A, start.B)]
     reach = (1 + start.d) * start.y
     zeta = balls.as_float(start.d * (2 + start.d) * start.A / (reach * reach))
@@ -219,7 +219,7 @@ def scaled(start: Start, contacts: tuple[Fraction, Fraction]) -> Start:
 
     The contacts are those of c and s; d is measured in the first one before, too.
     """
-    c, s = map(balls.exact, contacts)
+    c, s = map(balls.fmpq_of, contacts)
     return Start(
         start.y / c, start.eta_s / s, start.C, start.a / c, start.b / s, start.A / (c * c),
         start.B / (s * s), start.w / (c * s), start.d,
@@ -236,7 +236,7 @@ def find_three_balls(bodies: Bodies, start: Start, time: Number) -> Collapse | N
     if not (start.A > 0 and start.B > 0 and start.y > 0 and start.eta_s > 0 and start.d > 0):
         return None
     unit = short_above(balls.any_root(balls.larger(start.A, start.B)))
-    found = search(bodies, start, balls.as_fraction(unit))
+    found = search(bodies, start, balls.fraction_of(unit))
     if found is None:
         return None
     bounds, stair = found
@@ -257,10 +257,10 @@ def numbers_of(x: Bounds, stair: Stair, unit: Number) -> dict[str, Number]:
     others = {"m": of.m, "sigma_12": of.outer, "G": x.G, "U_b": x.U_b, "C_0": x.C_0}
     others |= {"Theta": x.Theta, "Q_0": Q_0, "U_0": U_0}
     others |= {f"{name}_{i}": pair[i] for name, pair in pairs.items() for i in (0, 1)}
-    exact = {name: balls.exact(value) for name, value in others.items()}
-    exact |= {f"w_{i}": balls.exact(x.w[i]) * unit for i in (0, 1)}
-    exact |= {f"E_{i}": balls.exact(x.E[i]) / (unit * unit) for i in (0, 1)}
-    return exact | {"z_b": balls.exact(x.z) * unit}
+    exact = {name: balls.fmpq_of(value) for name, value in others.items()}
+    exact |= {f"w_{i}": balls.fmpq_of(x.w[i]) * unit for i in (0, 1)}
+    exact |= {f"E_{i}": balls.fmpq_of(x.E[i]) / (unit * unit) for i in (0, 1)}
+    return exact | {"z_b": balls.fmpq_of(x.z) * unit}
 
 
 # --- the conditions ------------------------------------------------------------------------------

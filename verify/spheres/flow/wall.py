@@ -102,19 +102,19 @@ def find_wall(pair: WallPair, start: Start) -> WallCollapse | None:
     if not (y > 0 and eta > 0 and d > 0 and A > 0 and C > 0):
         return None
     unit = balls.decimal(balls.any_root(A), 6 - balls.exponent(balls.any_root(A)), above=True)
-    found = search(pair, start, balls.as_fraction(unit))
+    found = search(pair, start, balls.fraction_of(unit))
     if found is None:
         return None
     x, points = found
     if not shows(x, points, start, unit):
         return None
-    rest = balls.exact(1 - x.Y[0] * x.Y[1])
-    first = balls.exact(x.G) * y / rest * balls.exact(pair.contact)
-    bounces = balls.exact(x.Y[0]) * y / rest * balls.exact(pair.contact * pair.share(1))
-    middle = first * balls.exact(pair.share(0)) + bounces
-    later = balls.exact(x.E) * y / (unit * unit)
-    low, high = (balls.exact(end) for end in (x.C_0 - x.Theta, min(x.C_0 + x.Theta, Fraction(1))))
-    return WallCollapse(later, (middle, first * balls.exact(pair.given)), (low, high))
+    rest = balls.fmpq_of(1 - x.Y[0] * x.Y[1])
+    first = balls.fmpq_of(x.G) * y / rest * balls.fmpq_of(pair.contact)
+    bounces = balls.fmpq_of(x.Y[0]) * y / rest * balls.fmpq_of(pair.contact * pair.share(1))
+    middle = first * balls.fmpq_of(pair.share(0)) + bounces
+    later = balls.fmpq_of(x.E) * y / (unit * unit)
+    low, high = (balls.fmpq_of(end) for end in (x.C_0 - x.Theta, min(x.C_0 + x.Theta, Fraction(1))))
+    return WallCollapse(later, (middle, first * balls.fmpq_of(pair.given)), (low, high))
 
 
 # --- the search, in floats ------------------------------------------------------------------------
@@ -122,7 +122,7 @@ def find_wall(pair: WallPair, start: Start) -> WallCollapse | None:
 
 def search(pair: WallPair, start: Start, unit: Fraction) -> tuple[Bounds, list[Point]] | None:
     """Numbers, and points of which the last is below the one before."""
-    size = balls.exact(unit)
+    size = balls.fmpq_of(unit)
     e, W = balls.as_float(start.y / size), balls.as_float(balls.any_root(start.A) / size)
     reach = (1 + start.d) * start.y
     zeta = balls.as_float(start.d * (2 + start.d) * start.A / (reach * reach))
@@ -271,7 +271,7 @@ def _decays(x: Bounds) -> bool:
 
 def _holds_at(x: Bounds, point: Point, start: Start, unit: Number) -> bool:
     """True only if the numbers and the state satisfy what the theorem asks of them."""
-    exact, (y, eta, d, A, C) = balls.exact, start
+    exact, (y, eta, d, A, C) = balls.fmpq_of, start
     (Q, U), w = point, exact(x.w) * unit
     wide = x.U_b * (2 - x.U_b) * x.G**2
     high = w - exact(x.pair.share(1) * x.Y[0] / (1 - x.Y[0] * x.Y[1])) * y

@@ -107,7 +107,7 @@ class Run:
 
     def __init__(self, system: System, bits: int, budget: Budget, until: Fraction | None) -> None:
         self.system, self.bits, self.budget = system, bits, budget
-        self.until = None if until is None else balls.exact(until)
+        self.until = None if until is None else balls.fmpq_of(until)
         self.motion = Motion(system, bits)
         self.queue = Queue(self.motion)
         self.contacts: list[tuple[str, Number, Number]] = []
@@ -319,14 +319,14 @@ class Run:
         places = DIGITS + max(0, *(-balls.exponent(gap) for gap in gaps))
         for more in range(MORE_DIGITS):
             rows = [
-                [tuple(balls.as_fraction(balls.decimal(a, places << more)) for a in row)
+                [tuple(balls.fraction_of(balls.decimal(a, places << more)) for a in row)
                  for row in part] for part in (given.x, given.v)
             ]  # fmt: skip
             scene = self.system.three(end.members, *rows)
             fate = decide_scene(scene, self.budget._replace(digits=None))
             now = fate.flow.now
             if fate.verdict == COLLAPSES and now is not None and now.frame[0] == 0:
-                return end._replace(scene=scene, since=balls.as_fraction(time))
+                return end._replace(scene=scene, since=balls.fraction_of(time))
         return end
 
     def _spent(self, words: str, remedy: str = "a larger --collisions") -> Ending:

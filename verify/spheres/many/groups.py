@@ -79,18 +79,18 @@ def _cloud(motion: Motion, group: Sequence[int], time: Number) -> Cloud:
     system, now = motion.system, [motion.at(k, time) for k in group]
     masses = [system.masses[k] for k in group]
     total = sum(masses, Fraction(0))
-    parts = [balls.exact(mass / total) for mass in masses]
+    parts = [balls.fmpq_of(mass / total) for mass in masses]
     x, v = ([inner_product(parts, row) for row in zip(*rows, strict=True)]
             for rows in ([b.x for b in now], [b.v for b in now]))  # fmt: skip
     if len(group) == 1:
-        return Cloud(x, v, balls.exact(system.radii[group[0]]), ZERO)
+        return Cloud(x, v, balls.fmpq_of(system.radii[group[0]]), ZERO)
     size, speed = (
-        _root_above(sum((balls.exact(m) * _square(row, centre)
+        _root_above(sum((balls.fmpq_of(m) * _square(row, centre)
                          for m, row in zip(masses, rows, strict=True)), ZERO))
         for rows, centre in (([b.x for b in now], x), ([b.v for b in now], v))
     )  # fmt: skip
-    lever = [_root_above(balls.exact((total - m) / (m * total))) for m in masses]
-    reach = [balls.exact(system.radii[k]) + c * size for k, c in zip(group, lever, strict=True)]
+    lever = [_root_above(balls.fmpq_of((total - m) / (m * total))) for m in masses]
+    reach = [balls.fmpq_of(system.radii[k]) + c * size for k, c in zip(group, lever, strict=True)]
     return Cloud(x, v, _largest(reach), _largest([c * speed for c in lever]))
 
 

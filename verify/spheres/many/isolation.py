@@ -95,7 +95,7 @@ def scene_of(
     near = [[tuple(balls.short_rational(a) for a in row) for row in part] for part in (x, v)]
     scene = motion.system.three(members, *near)
     pairs = combinations(range(3), 2)
-    return scene, Coordinates(x, v, [balls.exact(scene.contact(i, j) ** 2) for i, j in pairs])
+    return scene, Coordinates(x, v, [balls.fmpq_of(scene.contact(i, j) ** 2) for i, j in pairs])
 
 
 def find_three(queue: Queue, members: tuple[int, int, int], time: Number) -> Three | None:
@@ -108,7 +108,7 @@ def find_three(queue: Queue, members: tuple[int, int, int], time: Number) -> Thr
     state = given.state(FRAME, lambda _, value: motion.short(value))
     bodies = bodies_of(scene, scene.bodies, FRAME)
     try:
-        start = scaled(start_of(state, sizes_of(scene, FRAME, balls.exact)), bodies.contacts)
+        start = scaled(start_of(state, sizes_of(scene, FRAME, balls.fmpq_of)), bodies.contacts)
         found = find_three_balls(bodies, start, time)
     except OverflowError:  # what is looked for with floats is beyond their range
         return None
@@ -127,10 +127,10 @@ def impulses(bodies: Bodies, found: Collapse) -> tuple[Number, Number, Number]:
     first = x["G"] * found.start.y / (1 - x["Y_0"] * x["Y_1"])
     outer, middle = [], ZERO
     for i, speed in enumerate((first, x["Y_0"] * first)):
-        push = speed * balls.exact((1 + bodies.r[i]) * bodies.contacts[i])
+        push = speed * balls.fmpq_of((1 + bodies.r[i]) * bodies.contacts[i])
         total = bodies.m + bodies.masses[i]
-        outer.append(push * balls.exact(bodies.m / total))
-        middle += push * balls.exact(bodies.masses[i] / total)
+        outer.append(push * balls.fmpq_of(bodies.m / total))
+        middle += push * balls.fmpq_of(bodies.masses[i] / total)
     return middle, outer[1], outer[0]
 
 
@@ -143,7 +143,7 @@ def find_between(
     if way.fall != 0 or not way.rate > 0:
         return None
     sigma = system.contact(ball, other)
-    reach, norm = balls.exact(sigma), motion.norms[wall]
+    reach, norm = balls.fmpq_of(sigma), motion.norms[wall]
     x, w = motion.difference(motion.at(ball, time), motion.at(other, time), shift)
     gap = inner_product(x, x) - reach * reach
     if not gap > 0:
@@ -202,7 +202,7 @@ def find_rest(queue: Queue, ball: int, wall: int, time: Number) -> Number | None
             return None
         rest, members[k] = _bounces(motion, own, -way.rate, way.fall)
         walls[k] = own
-        if event.time + rest * balls.exact(r) < time + later:
+        if event.time + rest * balls.fmpq_of(r) < time + later:
             return None
     return later if stays_alone(queue, members, time, later, walls, together=False) else None
 
@@ -210,8 +210,8 @@ def find_rest(queue: Queue, ball: int, wall: int, time: Number) -> Number | None
 def _bounces(motion: Motion, wall: int, speed: Number, fall: Number) -> tuple[Number, Number]:
     """How long bounces last that begin at such a speed, and how much they change the velocity."""
     r = motion.system.walls[wall].r
-    change = speed * balls.exact((1 + r) / (1 - r)) / motion.norms[wall]
-    return 2 * speed / -fall / balls.exact(1 - r), change
+    change = speed * balls.fmpq_of((1 + r) / (1 - r)) / motion.norms[wall]
+    return 2 * speed / -fall / balls.fmpq_of(1 - r), change
 
 
 def stays_alone(
@@ -247,7 +247,7 @@ def stays_alone(
             if shift == own:
                 continue
             x, w = motion.difference(motion.at(i, start), motion.at(j, start), shift)
-            if not is_apart(x, w, balls.exact(motion.system.contact(i, j)), slope, later):
+            if not is_apart(x, w, balls.fmpq_of(motion.system.contact(i, j)), slope, later):
                 return False
     return all(
         _is_off(motion.approach(i, wall, start), members[i] * motion.norms[wall], later)
@@ -264,5 +264,5 @@ def _is_off(way: Approach, slope: Number, later: Number) -> bool:
 
 def exact_time(time: Number, wait: Number) -> Number:
     """A decimal about halfway from a time to that later one, and strictly between."""
-    part = wait * balls.exact(Fraction(1, 2))
+    part = wait * balls.fmpq_of(Fraction(1, 2))
     return balls.decimal(time + part, 2 - balls.exponent(part))

@@ -24,7 +24,7 @@ from verify.spheres.scene.scene import inner_product
 Vector = Sequence[Number]
 #: Whole numbers of periods that are added to a difference; empty without a box.
 Shift = tuple[int, ...]
-ZERO = balls.exact(Fraction(0))
+ZERO = balls.fmpq_of(Fraction(0))
 
 
 class Ball(Record):
@@ -50,13 +50,14 @@ class Motion:
         self.system, self.bits = system, bits
         rows = zip(system.positions, system.velocities, strict=True)
         self.balls = [
-            Ball(ZERO, [balls.exact(a) for a in x], [balls.exact(a) for a in v]) for x, v in rows
+            Ball(ZERO, [balls.fmpq_of(a) for a in x], [balls.fmpq_of(a) for a in v])
+            for x, v in rows
         ]
         #: Of a ball that has met a wall last: that wall, and the rate at which it left.
         self.on: dict[int, tuple[int, Number]] = {}
-        self.gravity = [balls.exact(g) for g in system.gravity]
-        self.box = [balls.exact(side) for side in system.box]
-        self.normals = [[balls.exact(a) for a in wall.normal] for wall in system.walls]
+        self.gravity = [balls.fmpq_of(g) for g in system.gravity]
+        self.box = [balls.fmpq_of(side) for side in system.box]
+        self.normals = [[balls.fmpq_of(a) for a in wall.normal] for wall in system.walls]
         self.norms = [balls.any_root(inner_product(n, n)) for n in self.normals]
 
     def short(self, value: Number) -> Number:
@@ -86,7 +87,7 @@ class Motion:
     def pair(self, i: int, j: int, time: Number, shift: Shift) -> Pair:
         """The two balls at a time; at the time 0 of the pair, in the words of the law."""
         x, w = self.difference(self.at(i, time), self.at(j, time), shift)
-        square = balls.exact(self.system.contact(i, j) ** 2)
+        square = balls.fmpq_of(self.system.contact(i, j) ** 2)
         return Pair(inner_product(x, x) - square, inner_product(x, w), inner_product(w, w))
 
     def approach(self, i: int, wall: int, time: Number) -> Approach:
@@ -95,19 +96,19 @@ class Motion:
         if time is self.balls[i].time and self.on.get(i, (None, None))[0] == wall:
             return Approach(ZERO, self.on[i][1], fall)
         ball, n, level = self.at(i, time), self.normals[wall], self.system.walls[wall].level
-        reach = balls.exact(self.system.radii[i]) * self.norms[wall]
-        gap = inner_product(n, ball.x) - balls.exact(level) - reach
+        reach = balls.fmpq_of(self.system.radii[i]) * self.norms[wall]
+        gap = inner_product(n, ball.x) - balls.fmpq_of(level) - reach
         return Approach(gap, inner_product(n, ball.v), fall)
 
     def collide(self, i: int, j: int, time: Number, shift: Shift) -> Number:
         """Afterwards both balls have collided; the normal speed just before is given back."""
         system, one, two = self.system, self.at(i, time), self.at(j, time)
         x, w = self.difference(one, two, shift)
-        reach = balls.exact(system.contact(i, j))
+        reach = balls.fmpq_of(system.contact(i, j))
         push = -inner_product(x, w) / (reach * reach)
         whole, total = 1 + system.restitution(i, j), system.masses[i] + system.masses[j]
         for k, other, sign in ((i, j, -1), (j, i, 1)):
-            part = push * balls.exact(sign * whole * system.masses[other] / total)
+            part = push * balls.fmpq_of(sign * whole * system.masses[other] / total)
             self._change(k, time, [part * a for a in x])
         return push * reach
 
@@ -121,8 +122,8 @@ class Motion:
         way, ball = self.approach(i, wall, self.balls[i].time), self.at(i, time)
         energy = way.rate * way.rate - 2 * way.fall * way.gap
         rate = balls.any_root(energy) if way.fall != 0 else -way.rate
-        after = rate * balls.exact(fixed.r)
-        reach = balls.exact(fixed.level) + balls.exact(self.system.radii[i]) * norm
+        after = rate * balls.fmpq_of(fixed.r)
+        reach = balls.fmpq_of(fixed.level) + balls.fmpq_of(self.system.radii[i]) * norm
         x, v = (
             [self.short(b + a * height / norm**2) for a, b in zip(n, flat, strict=True)]
             for flat, height in (
@@ -139,7 +140,7 @@ class Motion:
         square = sum((a * a for a in n), Fraction(0))
         found = []
         for k, a in enumerate(n):
-            parts = [(balls.exact((k == j) - a * b / square), row[j]) for j, b in enumerate(n)]
+            parts = [(balls.fmpq_of((k == j) - a * b / square), row[j]) for j, b in enumerate(n)]
             found.append(reduce(add, (part * x for part, x in parts if part != 0), ZERO))
         return found
 

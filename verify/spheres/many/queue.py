@@ -106,7 +106,7 @@ class Queue:
             wait = part * min(self.nearby.sides) / fastest if fastest > 0 else 1
             start = ZERO if self.limit is None else self.limit
             self.begun = self.begun[1], below(start)
-            self.limit = start + balls.exact(Fraction(f"{wait:.3g}"))
+            self.limit = start + balls.fmpq_of(Fraction(f"{wait:.3g}"))
         for i in range(count):
             for j in self._others(i):
                 if i < j:
@@ -298,7 +298,7 @@ def check_apart(motion: Motion, before: dict[int, Ball], events: Sequence[Event]
             if any(a[1] < b[0] or b[1] < a[0] for a, b in both):
                 continue
             difference = [b - a for a, b in zip(paths[i], paths[j], strict=True)]
-            square = balls.exact(motion.system.contact(i, j) ** 2)
+            square = balls.fmpq_of(motion.system.contact(i, j) ** 2)
             for place in near_images(motion, difference):
                 if not inner_product(place, place) > square:
                     raise UnclearError(
@@ -324,7 +324,7 @@ def _spans(motion: Motion, i: int, path: Sequence[Number]) -> list[tuple[float, 
     """Between which floats all of a ball is in each coordinate; nothing is said in a box."""
     if motion.box:
         return [(-math.inf, math.inf)] * len(path)
-    radius = balls.exact(motion.system.radii[i])
+    radius = balls.fmpq_of(motion.system.radii[i])
     return [(below(a - radius), above(a + radius)) for a in path]
 
 

@@ -48,7 +48,7 @@ class Ways:
         self.time, self.x, self.v = np.zeros(count), np.zeros(shape), np.zeros(shape)
         #: How much is not known of the time, the place and the velocity.
         self.off = np.zeros((3, count))
-        self.radii = np.array([as_float(balls.exact(a)) for a in motion.system.radii])
+        self.radii = np.array([as_float(balls.fmpq_of(a)) for a in motion.system.radii])
         gravity = motion.gravity or [ZERO] * motion.system.dimension
         self.gravity = np.array([[as_float(g)] for g in gravity])
         #: Before which time two balls that were left do not touch, and no more than the least of a

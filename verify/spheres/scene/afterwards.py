@@ -125,7 +125,7 @@ def _limits(
     """Centres and velocities at the collapse, from those just after the last collision."""
     o, s, c = last.frame
     speeds, fall = later_speeds(found.flow.r, end)
-    change = [balls.as_ball(balls.exact(Fraction(0)))] * 3
+    change = [balls.as_ball(balls.fmpq_of(Fraction(0)))] * 3
     for other, speed in zip((c, s), speeds, strict=True):
         for sphere, share in zip((o, other), shares(found.flow.scene, o, other), strict=True):
             change[sphere] += share * speed / (1 - fall)

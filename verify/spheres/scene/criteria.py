@@ -169,8 +169,8 @@ def _all_three(flow: Flow, frame: Frame, state: State) -> Whole | Spread:
     bodies = flow.scene.bodies
     if bodies is None:
         return whole(state)
-    masses = [balls.exact(mass) for mass in bodies.masses]
-    contacts = [balls.exact(bodies.radii[i] + bodies.radii[j]) for i, j in PAIRS]
+    masses = [balls.fmpq_of(mass) for mass in bodies.masses]
+    contacts = [balls.fmpq_of(bodies.radii[i] + bodies.radii[j]) for i, j in PAIRS]
     return spread(state, frame, masses, contacts, flow.sizes(frame))
 
 

@@ -251,6 +251,6 @@ def is_tight(end: Collapse, digits: int | None) -> bool:
     if digits is None:
         return True
     low, high = end.time
-    width = balls.exact(Fraction(1, 10**digits))
+    width = balls.fmpq_of(Fraction(1, 10**digits))
     angle = end.angle[1] - end.angle[0]
     return bool(high - low <= width * low) and angle <= Fraction(1, 10**digits)

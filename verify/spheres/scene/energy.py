@@ -25,7 +25,7 @@ def normal_speeds(found: Fate) -> list[Number]:
         return [
             move.way.y
             * move.way.s
-            / balls.exact(scene.contact(move.before.frame[0], move.before.frame[2]))
+            / balls.fmpq_of(scene.contact(move.before.frame[0], move.before.frame[2]))
             for move in found.flow.collisions
             if move.way
         ]
@@ -39,13 +39,13 @@ def masses_of(scene: Scene) -> tuple[Fraction, ...]:
 def _share(scene: Scene, o: int, c: int) -> Number:
     """What the square of the normal speed is multiplied with for the energy that is lost."""
     masses, r = masses_of(scene), scene.restitution(o, c)
-    return balls.exact((1 - r**2) * masses[o] * masses[c] / (masses[o] + masses[c]) / 2)
+    return balls.fmpq_of((1 - r**2) * masses[o] * masses[c] / (masses[o] + masses[c]) / 2)
 
 
 def energy_at_start(flow: Flow) -> Fraction:
     """The kinetic energy relative to the centre of mass."""
     masses = masses_of(flow.scene)
-    parts = [balls.as_fraction(flow.start.pair(i, j).m) * masses[i] * masses[j] for i, j in PAIRS]
+    parts = [balls.fraction_of(flow.start.pair(i, j).m) * masses[i] * masses[j] for i, j in PAIRS]
     return sum(parts, Fraction(0)) / (2 * sum(masses))
 
 
@@ -60,7 +60,7 @@ def energy_lost(found: Fate) -> tuple[Fraction, Fraction]:
         return all_of_it, all_of_it
     scene = found.flow.scene
     with balls.precision(found.flow.bits):
-        lost = balls.as_ball(balls.exact(Fraction(0)))
+        lost = balls.as_ball(balls.fmpq_of(Fraction(0)))
         for move, speed in zip(found.flow.collisions, normal_speeds(found), strict=True):
             lost += _share(scene, move.before.frame[0], move.before.frame[2]) * speed**2
         least = max(balls.ends(lost)[0], Fraction(0))

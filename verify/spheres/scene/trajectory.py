@@ -38,7 +38,7 @@ def trajectory(found: Fate) -> Iterator[Instant]:
     flow, bits = found.flow, found.flow.bits
     x: Rows = [list(row) for row in flow.start.x]
     v: Rows = [list(row) for row in flow.start.v]
-    time: Number = balls.exact(Fraction(0))
+    time: Number = balls.fmpq_of(Fraction(0))
     yield _instant("", time, x, v, bits)
     for move, speed in zip(flow.collisions, normal_speeds(found), strict=True):
         with balls.precision(bits):
@@ -47,7 +47,7 @@ def trajectory(found: Fate) -> Iterator[Instant]:
                  for row in zip(x, v, strict=True)]  # fmt: skip
             o, _, c = move.before.frame
             parts = shares(flow.scene, o, c)
-            push = speed / balls.exact(flow.scene.contact(o, c))
+            push = speed / balls.fmpq_of(flow.scene.contact(o, c))
             for k, (a, b) in enumerate(zip(x[o], x[c], strict=True)):
                 v[o][k] = _short(v[o][k] - parts[0] * push * (b - a), bits)
                 v[c][k] = _short(v[c][k] + parts[1] * push * (b - a), bits)
@@ -58,7 +58,7 @@ def shares(scene: Scene, o: int, c: int) -> tuple[Number, Number]:
     """The changes of both velocities in a collision, per normal speed."""
     masses, whole = masses_of(scene), 1 + scene.restitution(o, c)
     total = masses[o] + masses[c]
-    return balls.exact(whole * masses[c] / total), balls.exact(whole * masses[o] / total)
+    return balls.fmpq_of(whole * masses[c] / total), balls.fmpq_of(whole * masses[o] / total)
 
 
 def _short(value: Number, bits: int) -> Number:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from functools import lru_cache
+from typing import Any
 
 from verify.language.fold import BOUNDED, MissingOperationError, fold, holds
 from verify.language.terms import Claim, Term, names_of, symbol
@@ -17,10 +19,10 @@ _ALGEBRA: Mapping[str, Callable[..., float]] = {
     **{name: getattr(math, name) for name in ("sqrt", "log", "sin", "cos", "atan")},
     "exp": lambda x: math.exp(x) if x < MOST_EXPONENT else math.inf,
     "pi": lambda: math.pi,
+    "rational": float,
     "cos_pi": lambda x: math.cos(math.pi * x),
     "min": min,
     "max": max,
-    "rational": float,
     "add": lambda x, y: x + y,
     "sub": lambda x, y: x - y,
     "mul": lambda x, y: x * y,
@@ -33,14 +35,45 @@ _ALGEBRA: Mapping[str, Callable[..., float]] = {
 
 def estimate(term: Term, values: Mapping[str, float]) -> float:
     """About the value of a term; NaN where it has none, or where a name in it has none."""
-
-    def named(name: str) -> float:
-        return values.get(name, math.nan)
-
+    found: list[float] = []
     try:
-        return fold(term, {**_ALGEBRA, "symbol": named}, {})
-    except (ArithmeticError, ValueError, MissingOperationError, RecursionError):
+        if not term.children and term.op == "rational":
+            return float(term.value)
+        for function, places, rest in _steps(term):
+            if function is None:
+                found.append(values.get(rest[0], math.nan))
+            else:
+                found.append(function(*[found[i] for i in places], *rest))
+    except (ArithmeticError, ValueError):
         return math.nan
+    return found[-1]
+
+
+#: A function of the values in some places and of other arguments; without one, a name.
+Step = tuple[Callable[..., float] | None, tuple[int, ...], tuple[Any, ...]]
+
+
+@lru_cache(maxsize=4096)
+def _steps(term: Term) -> list[Step]:
+    """How a value is computed, one part after another; a loop is faster than a recursion here."""
+    steps: list[Step] = []
+    places: dict[Term, int] = {}
+    waiting = [term]
+    while waiting:
+        part = waiting[-1]
+        missing = [child for child in part.children if child not in places]
+        waiting += missing
+        if missing or waiting.pop() in places:
+            continue
+        places[part] = len(steps)
+        function = None if part.op == "symbol" else _ALGEBRA.get(part.op, _unknown)
+        at = tuple(places[child] for child in part.children)
+        steps.append((function, at, part.args[len(at) :]))
+    return steps
+
+
+def _unknown(*_: object) -> float:
+    raise ArithmeticError
 
 
 def seems(claim: Claim, at: Mapping[str, float], point: Mapping[str, Term]) -> bool:

@@ -10,9 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 from math import floor
+from typing import Any
 
 from verify.language.statement import NEEDED, Context, Given, Obligation, Statement, Variable
 from verify.language.terms import Claim, Term, as_term, names_of, parts_of, symbol
+from verify.prover import balls
 from verify.wire.inputs import MAX_EXPONENT, InputError, file_name, nearest, shown
 from verify.wire.text.conjunctions import Order, TooManyCasesError, cases, is_large, named
 from verify.wire.text.formulas import FPCORE, Reader, Scope, real
@@ -151,7 +153,8 @@ class _Core:
         """The middle of the box of the inputs, if it seems to satisfy the precondition."""
         ends = [self.samples.range(name) for name in self.variables]
         point = [(low + high) / 2 for low, high in ends if low is not None and high is not None]
-        if len(point) < len(ends) or not [*self.samples.values(as_term(0), [point])]:
+        exact = [*map(balls.fmpq_of, point)]
+        if len(point) < len(ends) or not [*self.samples.values(as_term(0), [exact])]:
             return None
         return dict(zip(self.variables, map(as_term, point), strict=True))
 
@@ -175,7 +178,7 @@ class _Core:
         """That the expression is between two bounds; so many parts are looked at."""
         sides = [side for claim in self.claims for side in (claim.lhs, claim.rhs)]
         size = sum(1 for _ in parts_of(self.term, *(c.term for c in self.constants), *sides))
-        points = [*self._points(min(SAMPLES, max(FEW, parts // size)))]
+        points = self._points(min(SAMPLES, max(FEW, parts // size)))
         try:
             found = [*self.samples.values(self.term, points)]
         except NoValueError as error:
@@ -186,7 +189,8 @@ class _Core:
             ) from error
         if not found:
             raise self.source.error(self.tree, "the expression has no value at any sampled point")
-        low, high = min(low for low, _ in found), max(high for _, high in found)
+        low = balls.dyadic(min(low for low, _ in found))
+        high = balls.dyadic(max(high for _, high in found))
         spare = (high - low) / 100 or abs(high) / 100 or Fraction(1)
         unit = Fraction(10) ** (_log10(spare) - DIGITS)
         below, above = floor((low - spare) / unit) * unit, -floor(-(high + spare) / unit) * unit
@@ -194,16 +198,17 @@ class _Core:
         for name, claim in claims.items():
             yield Obligation(f"{self.label}-{name}", "", "", NEEDED, "", claim, context=self.label)
 
-    def _points(self, count: int) -> Iterator[list[Fraction]]:
+    def _points(self, count: int) -> Iterator[list[Any]]:
         """Points of the box of the inputs, its corners among them; the same in each run."""
-        box = [self._range(name) for name in self.variables]
+        ranges = [self._range(name) for name in self.variables]
+        box = [(balls.fmpq_of(low), balls.fmpq_of(high - low)) for low, high in ranges]
         state = 1
         for _ in range(count):
             at = []
-            for low, high in box:
+            for low, width in box:
                 state = state * 6364136223846793005 % 2**64
-                part = min(max((state >> 32) / 2**32 * 1.5 - 0.25, 0.0), 1.0)  # often an end
-                at.append(low + (high - low) * Fraction(part))
+                part = min(max((state >> 32) * 3 - (1 << 31), 0), 1 << 33)  # often an end
+                at.append(low + width * balls.ratio(part, 1 << 33))
             yield at
 
     def _range(self, name: str) -> tuple[Fraction, Fraction]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from math import isnan
 from typing import Any
 
 from verify.check import MAX_NESTING
@@ -40,7 +39,7 @@ from verify.wire.text.infix import (
 )
 from verify.wire.text.letters import letter_of, name_of, tex_of
 from verify.wire.text.places import Places
-from verify.wire.text.points import Points, contradiction
+from verify.wire.text.points import Points
 from verify.wire.text.scope import Scope
 
 if TYPE_CHECKING:
@@ -443,17 +442,8 @@ class Reader:
             around = [other for other, home in self.scope.homes.items() if home is not None]
             at = self.points.find(new, givens, self.floats, {*around} - {*new})
             if at is None:
-                sides = ", ".join(f"{written} = ..." for written in names)
-                self._have_values(name, givens)
-                wrong = contradiction(new, givens)
-                raise self.places.error(
-                    keys,
-                    f"the givens contradict each other: {wrong}; mend one of them"
-                    if wrong
-                    else f"no point was found at which all givens hold; write "
-                    f"{self.points.in_time}one, as point = {{ {sides} }}; or mend the givens, if "
-                    "they contradict each other",
-                )
+                written = {key: variable.name for key, variable in names.items()}
+                raise self._no_point(name, givens, written)
         self.floats |= {v: estimate(term, self.floats) for v, term in at.items()}
         label = self.text([*keys, "label"], table.get("label", ""), "a label")
         own = table.get("constants", {})
@@ -465,28 +455,19 @@ class Reader:
         if "by" in table:
             self.premises[name] = tuple(self.text([*keys, "by"], table["by"], "names").split())
 
-    def _have_values(self, name: str, givens: Sequence[Given]) -> None:
-        """Afterwards no constant in the givens of a context is known to have no value."""
-        from verify.prover.ground import Ground  # loaded only where they are used
-        from verify.prover.session import Session
+    def _no_point(
+        self, name: str, givens: Sequence[Given], variables: Mapping[str, str]
+    ) -> InputError:
+        """Why no point of a context was found."""
+        from verify.wire.text.no_point import why_no_point, without_value  # only where needed
 
-        claims = [given.claim for given in givens]
-        used = {n for claim in claims for n in names_of(claim.lhs, claim.rhs)}
-        if not any(
-            isnan(self.floats.get(constant.name, 0.0))
-            for constant in self.constants
-            if constant.name in used
-        ):
-            return
-        ground = Ground(Session())
-        for constant in self.constants:
-            ground.know(constant.name, constant.term)
-            why = ground.why_no_value(constant.term)
-            if isnan(self.floats[constant.name]) and why != ground.no_value:
-                keys = ["constants", constant.name]
-                raise self.places.error(
-                    keys, f"{why}, so no point of the context {name} is known; mend it"
-                )
+        if undefined := without_value(self.constants, self.floats, givens):
+            place, why = ["constants", undefined[0]], undefined[1]
+            return self.places.error(
+                place, f"{why}, so no point of the context {name} is known; mend it"
+            )
+        why = why_no_point(variables, givens, self.points.in_time)
+        return self.places.error(["contexts", name], why)
 
     def _states(self, keys: Sequence[str], table: Mapping[str, Any], context: Context) -> None:
         """The states of a context: values of all its variables, under a name."""

@@ -12,14 +12,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from verify.language.statement import Given
-from verify.language.terms import (
-    Claim,
-    Term,
-    as_term,
-    names_of,
-    parts_of,
-    substitute,
-)
+from verify.language.terms import Claim, Term, as_term, names_of, parts_of, substitute
 from verify.prover.budget import WorkBudget
 from verify.wire.text.estimates import estimate, seems, simplest
 
@@ -63,10 +56,10 @@ class Points:
         if self.left <= 0:
             return None
         claims = [given.claim for given in givens]
-        left = [min(WORK, self.left)]
-        self.left -= left[0]
-        found = _one_by_one(variables, claims, values, around, left)
-        self.left += max(left[0], 0)
+        search = _Search(variables, claims, around, min(WORK, self.left))
+        self.left -= search.left
+        found = search.run(values)
+        self.left += max(search.left, 0)
         if found is None:
             budget = WorkBudget(min(PROGRAMME, self.left // UNITS))
             from verify.wire.text.middle import in_the_middle  # only where it is needed
@@ -76,59 +69,60 @@ class Points:
         return found
 
 
-def contradiction(variables: Sequence[str], givens: Sequence[Given]) -> str:
-    """A sum of linear givens that cannot hold, in words; nothing if none was found."""
-    from verify.prover.search.interior import contradiction_of  # only where it is needed
+class _Search:
+    """Terms for the variables, each chosen after those before it, while there is work left."""
 
-    found = contradiction_of(variables, [given.claim for given in givens])
-    return "" if found is None else found.words
+    def __init__(
+        self, variables: Sequence[str], claims: Sequence[Claim], around: Collection[str], left: int
+    ) -> None:
+        self.variables, self.claims, self.around, self.left = variables, claims, around, left
+        self._tried = iter(range(MOST))
+        self._complete_at = _by_last_variable(variables, claims)
+        self._parts = {claim: sum(1 for _ in parts_of(claim.lhs, claim.rhs)) for claim in claims}
+        self._between: dict[tuple[object, ...], list[Term]] = {}
 
+    def run(self, values: Mapping[str, float]) -> dict[str, Term] | None:
+        """The terms, where ``values`` has about what other names stand for."""
+        try:
+            return self._complete({}, dict(values))
+        except RecursionError:
+            return None
 
-def _one_by_one(
-    variables: Sequence[str],
-    claims: Sequence[Claim],
-    values: Mapping[str, float],
-    around: Collection[str],
-    left: list[int],
-) -> dict[str, Term] | None:
-    """Terms for the variables, each chosen after those before it, while there is work ``left``."""
-    tried = iter(range(MOST))
-
-    def complete(found: dict[str, Term], at: dict[str, float]) -> dict[str, Term] | None:
-        if len(found) == len(variables):
+    def _complete(self, found: dict[str, Term], at: dict[str, float]) -> dict[str, Term] | None:
+        if len(found) == len(self.variables):
             return found
-        name = variables[len(found)]
-        ready = complete_at[len(found)]
-        looks = sum(parts[claim] for claim in ready)
-        left[0] -= sum(parts.values())
-        for term in candidates(name, ready, looks, dict(found), at):
-            left[0] -= len(at) + looks
-            if next(tried, None) is None or left[0] < 0:
+        name, ready = self.variables[len(found)], self._complete_at[len(found)]
+        looks = sum(self._parts[claim] for claim in ready)
+        self.left -= sum(self._parts.values())
+        for term in self._candidates(name, ready, dict(found), at):
+            self.left -= len(at) + looks
+            if next(self._tried, None) is None or self.left < 0:
                 return None
             there = at | {name: estimate(term, at)}
             found[name] = term
             if all(seems(claim, there, found) for claim in ready):
-                result = complete(dict(found), there)
+                result = self._complete(dict(found), there)
                 if result is not None:
                     return result
         return None
 
-    def candidates(
-        name: str, ready: list[Claim], looks: int, found: dict[str, Term], at: dict[str, float]
+    def _candidates(
+        self, name: str, ready: list[Claim], found: dict[str, Term], at: dict[str, float]
     ) -> Iterator[Term]:
-        yield from _candidates(name, claims, found, at, around)
-        left[0] -= SAMPLES * looks
-        if left[0] > 0:
+        yield from _candidates(name, self.claims, found, at, self.around)
+        there = (name, *map(found.get, _names_in(ready)))
+        if there not in self._between:
+            self.left -= SAMPLES * sum(self._parts[claim] for claim in ready)
+            if self.left <= 0:
+                return
             from verify.wire.text.solutions import between  # loaded only where it is used
 
-            yield from between(name, ready, found)
+            self._between[there] = [*between(name, ready, found)]
+        yield from self._between[there]
 
-    complete_at = _by_last_variable(variables, claims)
-    parts = {claim: sum(1 for _ in parts_of(claim.lhs, claim.rhs)) for claim in claims}
-    try:
-        return complete({}, dict(values))
-    except RecursionError:
-        return None
+
+def _names_in(claims: Sequence[Claim]) -> list[str]:
+    return [*names_of(*(side for claim in claims for side in (claim.lhs, claim.rhs)))]
 
 
 def _by_last_variable(
@@ -138,7 +132,7 @@ def _by_last_variable(
     places = {name: i for i, name in enumerate(variables)}
     found: dict[int, list[Claim]] = defaultdict(list)
     for claim in claims:
-        at = (places.get(name, 0) for name in names_of(claim.lhs, claim.rhs))
+        at = (places.get(name, 0) for name in _names_in([claim]))
         found[max(at, default=0)].append(claim)
     return found
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -18,8 +18,11 @@ BITS_OF_ENDS, BITS = 64, 256
 MOST_BITS = MAX_EXPONENT * 3322 // 1000
 #: A value of which fewer bits are known counts with both of its ends.
 FEW_BITS = 40
+#: What is nearer to zero counts as zero.
+TINY = balls.as_ball(balls.ratio(1, 1 << MOST_BITS))
 
-Ends = tuple[Fraction, Fraction]
+#: Balls that are exact numbers.
+Ends = tuple[Any, Any]
 
 
 class NoValueError(ArithmeticError):
@@ -45,20 +48,25 @@ class Samples:
             above = [balls.ends(ball)[0] for ball in highs if ball is not None]
         return max(below, default=None), min(above, default=None)
 
-    def values(self, term: Term, points: Sequence[Sequence[Fraction]]) -> Iterator[Ends]:
+    def values(self, term: Term, points: Iterable[Sequence[Any]]) -> Iterator[Ends]:
         """Numbers between which the values of a term are at those of the points that are inputs.
+
+        The numbers of a point are rational ones of FLINT.
 
         Raises:
             NoValueError: where there is none at an input.
         """
         with balls.precision(BITS):
             machine = self._machine()
+            add = machine.program.add
+            place = add(term)
+            sides = [(add(c.lhs), add(c.rhs), c.relation) for c in self.claims]
             for point in points:
-                run = machine.run([balls.from_fraction(x) for x in point])
-                where = self._where([(run[c.lhs], run[c.rhs], c.relation) for c in self.claims])
+                found = machine.run(map(balls.as_ball, point)).values
+                where = self._where([(found[a], found[b], how) for a, b, how in sides])
                 if where == "outside":
                     continue
-                ball = run[term]
+                ball = found[place]
                 if ball is not None and balls.magnitude_bits(ball) <= MOST_BITS:
                     yield _ends(ball)
                 elif where == "inside":
@@ -83,9 +91,8 @@ class Samples:
 
 def _ends(ball: Any) -> Ends:
     """The middle of a ball twice, or the ends of one that is not known well."""
+    if -TINY < ball < TINY:
+        ball = balls.as_ball(0)
     if balls.accuracy_bits(ball) >= FEW_BITS:
-        ball = balls.middle(ball)
-    tiny = Fraction(1, 1 << MOST_BITS)
-    if ball > -balls.from_fraction(tiny) and ball < balls.from_fraction(tiny):
-        return Fraction(0), Fraction(0)
-    return balls.ends(ball)
+        return (balls.middle(ball),) * 2
+    return balls.exact_ends(ball)

@@ -323,6 +323,24 @@ def test_another_form_is_tried_where_the_first_is_not_decided() -> None:
 # --- bombs ---------------------------------------------------------------------------------------
 
 
+def _equations(count: int, last: str) -> str:
+    """Linear equations with one solution, and a last assertion."""
+    names = [f"x{i}" for i in range(count)]
+    text = "".join(f"(declare-const {name} Real)" for name in names)
+    for i, name in enumerate(names):
+        other, third = names[(i + 1) % count], names[(i + 3) % count]
+        text += f"(assert (= (+ {name} (* {i + 2} {other}) (- {third})) {i}))"
+    return f"{text}(assert {last})(check-sat)"
+
+
+@pytest.mark.parametrize("count", [7, 40])
+def test_where_the_point_of_the_givens_refutes_nothing_else_is_tried(count: int) -> None:
+    """Seven took a minute, and were undecided then."""
+    solved = _equations(count, "(< x1 x0)")
+    assert verdicts(solved, 300_000) == [REFUTED]
+    assert verdicts(_equations(count, "(< x0 x1)"), 300_000) != [REFUTED]
+
+
 def test_numbers_and_choices_without_end_are_not_looked_at() -> None:
     """Each file took more than 20 seconds, or more than a gigabyte."""
     power = f"{X}(assert (= x (^ (^ (^ 9 999) 999) 999)))"

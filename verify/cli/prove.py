@@ -8,14 +8,7 @@ import sys
 from hashlib import sha256
 
 from verify import check
-from verify.cli.files import (
-    PAGES,
-    example,
-    print_document,
-    read_bytes,
-    read_cited,
-    test_folder,
-)
+from verify.cli.files import PAGES, example, print_document, read_bytes, read_cited, test_folder
 from verify.cli.options import CERTIFICATE, COLOR, JSON, Options, Usage
 from verify.cli.steps import Steps
 from verify.cli.terminal import show

@@ -11,12 +11,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from verify.language.record import Record
-from verify.language.statement import (
-    Always,
-    Applies,
-    Context,
-    Statement,
-)
+from verify.language.statement import Always, Applies, Context, Statement
 from verify.language.terms import Claim, Term
 
 #: A number that is >= 0: a rational, the name of an inequality, ``goal``, or one built from these.

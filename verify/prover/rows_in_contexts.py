@@ -18,7 +18,7 @@ from verify.language.terms import Claim, Term, as_term, substitute_claim
 from verify.language.typeset import Typesetter
 from verify.prover.goal import Goal
 from verify.prover.outcome import Decision
-from verify.prover.points import refuting_point
+from verify.prover.points import failure_test, refuting_point
 from verify.prover.proof import Proof
 from verify.prover.rules import Applying, Induction, Witness
 from verify.prover.search.question import Question, refuting_minimum
@@ -42,10 +42,13 @@ class RowsInContexts:
             return self._numbers(row, claim)
         if not isinstance(claim, Claim) or row.context not in self.known.contexts:
             return Decision(UNDECIDED)
-        goal = self.known.goal(claim, row.context)
-        verdict, proof = PROVED, self.known.prove(goal)
-        if proof is None:
-            verdict, proof = REFUTED, self._refute(goal, self.known.contexts[row.context])
+        goal, context = self.known.goal(claim, row.context), self.known.contexts[row.context]
+        is_false = self._is_false_at(goal, context.point)
+        witness = self._refute(goal, context) if is_false else None
+        proof = None if witness else self.known.prove(goal)
+        if proof is None and not is_false:
+            witness = self._refute(goal, context)
+        verdict, proof = (PROVED, proof) if witness is None else (REFUTED, witness)
         if proof is None:
             return Decision(UNDECIDED)
         self.known.session.prove_row(row, proof, holds=verdict == PROVED)
@@ -128,6 +131,8 @@ class RowsInContexts:
     def _false_points(self, goal: Goal, context: Context) -> Iterator[Mapping[str, Term]]:
         """Values at which the claim may be false, those that are found soon first."""
         simple = refuting_point(goal, self.known.enclosed)
+        if simple is None and self._is_false_at(goal, context.point):
+            yield context.point
         for point in (simple, None if simple else refuting_minimum(goal, self.known)):
             if point is not None:
                 found = {name: as_term(value) for name, value in point.items()}
@@ -137,6 +142,12 @@ class RowsInContexts:
         from verify.prover.search.witnesses import false_points  # loaded only where it is used
 
         yield from false_points(Question(goal, self.known), context)
+
+    def _is_false_at(self, goal: Goal, point: Mapping[str, Term]) -> bool:
+        """Whether the claim is soon seen to be false at numbers."""
+        values = [point[name] for name in goal.variables if name in point]
+        is_known = len(values) == len(goal.variables) and all(v.op == "rational" for v in values)
+        return is_known and failure_test(goal, self.known.enclosed)([v.value for v in values])
 
     def witness(self, goal: Goal, context: Context, at: Mapping[str, Term]) -> Witness | None:
         """A proof that the givens hold at some values, and the claim does not."""

@@ -10,21 +10,8 @@ from fractions import Fraction
 from typing import Any
 
 from verify.language.fold import MEANINGS
-from verify.language.statement import (
-    PROVED,
-    UNDECIDED,
-    Constant,
-    Context,
-    Given,
-)
-from verify.language.terms import (
-    Claim,
-    Term,
-    names_of,
-    parts_of,
-    substitute,
-    substitute_claim,
-)
+from verify.language.statement import PROVED, UNDECIDED, Constant, Context, Given
+from verify.language.terms import Claim, Term, names_of, parts_of, substitute, substitute_claim
 from verify.prover.budget import WorkBudget
 from verify.prover.clearing import divisors, has_value
 from verify.prover.goal import Bounds, Goal, bounds_of, definitions_below, narrowed
@@ -32,10 +19,7 @@ from verify.prover.ground import Ground
 from verify.prover.hint import Hint
 from verify.prover.lengths import Lengths
 from verify.prover.proof import Proof
-from verify.prover.rules import (
-    Define,
-    Sum,
-)
+from verify.prover.rules import Define, Sum
 from verify.prover.session import ZERO
 
 

@@ -8,6 +8,7 @@ from random import Random
 
 import pytest
 
+from tests.cpu import seconds_of
 from tests.spheres.many.systems import random_system
 from verify.prover import balls
 from verify.spheres.many import nearby
@@ -128,3 +129,25 @@ def test_many_balls_take_seconds() -> None:
         found = decide_system(system, Budget(300))
         assert found.why == BUDGET
         assert time.process_time() - before < 10
+
+
+def test_two_balls_that_slow_down_in_a_box_end() -> None:
+    """After so long a way floats do not tell their images apart: minutes were spent on each."""
+    places = (Fraction(1), Fraction(1), Fraction(1)), (Fraction(2), Fraction(5, 2), Fraction(6, 5))
+    speeds = (
+        (Fraction(1043, 1000), Fraction(314, 1000), Fraction(223, 1000)),
+        (Fraction(-53, 100), Fraction(752, 1000), Fraction(136, 1000)),
+    )
+    system = System(
+        Fraction(1, 2),
+        (Fraction(1),) * 2,
+        (Fraction(3, 10),) * 2,
+        places,
+        speeds,
+        box=(Fraction(3),) * 3,
+    )
+    seconds, found = seconds_of(lambda: decide_system(system, Budget(1000)))
+    assert found.why == BUDGET
+    assert "1000 images of ball 1 may touch ball 0" in found.says
+    assert len(found.contacts) > 20
+    assert seconds < 10

@@ -12,15 +12,7 @@ from fractions import Fraction
 
 from flint import fmpq_mpoly
 
-from verify.language.terms import (
-    Claim,
-    Term,
-    as_term,
-    names_of,
-    parts_of,
-    substitute_claim,
-    symbol,
-)
+from verify.language.terms import Claim, Term, as_term, names_of, parts_of, substitute_claim, symbol
 from verify.prover.balls import fraction_of
 from verify.prover.clearing import TooLongError, coefficients, expanded, variables_in
 from verify.prover.multiple import scale

@@ -12,7 +12,9 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 from verify.prover import balls
+from verify.spheres.flow.follow import UnclearError
 from verify.spheres.many.motion import Ball, Motion, Shift
+from verify.spheres.scene.decide import BUDGET
 
 if TYPE_CHECKING:
     from verify.spheres.many.ways import Ways
@@ -23,6 +25,8 @@ MARGIN = 1e-9
 FOR_EVER = math.inf
 #: So few balls are all looked at.
 FEW = 32
+#: More images than these of one ball are not looked at.
+MOST_IMAGES = 1_000
 
 
 class Nearby:
@@ -62,6 +66,10 @@ class Nearby:
 
         In it each ball may be off its straight way by half of ``more``. Images that do not may be
         given, too.
+
+        Raises:
+            UnclearError: if they are too many, as they are after so long a way that floats do not
+                tell any more in which period it ends.
         """
         (start, end), reach = span, float(self.motion.system.contact(i, j)) + more
         ranges = []
@@ -71,8 +79,16 @@ class Nearby:
             size = size_a + size_b + (abs(v) + abs(w)) * (end - start) + side
             room = reach + MARGIN * (size + reach)
             low, high = (-room - max(ends)) / side, (room - min(ends)) / side
+            if not high - low < MOST_IMAGES:
+                raise self._too_many(i, j)
             ranges.append(range(math.ceil(low), math.floor(high) + 1))
+        if math.prod(map(len, ranges)) > MOST_IMAGES:
+            raise self._too_many(i, j)
         yield from product(*ranges)
+
+    def _too_many(self, i: int, j: int) -> UnclearError:
+        what = f"more than {MOST_IMAGES} images of ball {j} may touch ball {i}"
+        return UnclearError(f"budget: {what}, as far as floats tell", BUDGET)
 
     def _place(self, i: int, k: int, time: float) -> tuple[float, float, float]:
         """A coordinate then, the size of what it is computed from, and its rate."""

@@ -12,14 +12,7 @@ import numpy as np
 
 from verify.language.record import Record
 from verify.spheres.flow.law import Pair, State
-from verify.spheres.map.branches import (
-    Step,
-    advance,
-    begin,
-    some_of,
-    take,
-    together,
-)
+from verify.spheres.map.branches import Step, advance, begin, some_of, take, together
 from verify.spheres.map.closing import collapsing, collapsing_on_a_line
 from verify.spheres.map.intervals import Array, Intervals, all_enclosed, enclosed, exactly
 from verify.spheres.map.models import Models, from_bounds, one_model, parameter

@@ -7,12 +7,7 @@ from fractions import Fraction
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.spheres.flow.collapse import (
-    Collapse,
-    find_collapse,
-    find_line_collapse,
-    start_of,
-)
+from verify.spheres.flow.collapse import Collapse, find_collapse, find_line_collapse, start_of
 from verify.spheres.flow.exact_events import GRAZING, TRIPLE, Event, what_happens
 from verify.spheres.flow.exact_events import SAYS as EVENTS
 from verify.spheres.flow.follow import Flow, UnclearError, name_of

@@ -23,15 +23,7 @@ from typing import Any
 
 from verify.prover import balls
 from verify.prover.decimals import exact_number
-from verify.spheres.scene.scene import (
-    HALF,
-    PAIRS,
-    Bodies,
-    Labels,
-    Scene,
-    coordinates,
-    pair_name,
-)
+from verify.spheres.scene.scene import HALF, PAIRS, Bodies, Labels, Scene, coordinates, pair_name
 from verify.wire.inputs import InputError, rational, regular_file, shown
 from verify.wire.toml import toml_of
 

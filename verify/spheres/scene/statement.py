@@ -30,16 +30,7 @@ from verify.spheres.flow.contexts import (
     UNIT,
 )
 from verify.spheres.flow.follow import Weights
-from verify.spheres.flow.law import (
-    EQUAL,
-    Pair,
-    Sizes,
-    State,
-    collided,
-    drifted,
-    flight,
-    recentred,
-)
+from verify.spheres.flow.law import EQUAL, Pair, Sizes, State, collided, drifted, flight, recentred
 from verify.spheres.flow.pairs_and_units import Unit, pairs_of, scaled_unit_of, unit_of
 from verify.spheres.scene.criteria import (
     INELASTIC,

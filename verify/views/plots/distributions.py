@@ -10,13 +10,7 @@ from itertools import pairwise
 from typing import Any
 
 from verify.language.record import Record
-from verify.prover.decimals import (
-    decimal_text,
-    exact_number,
-    people,
-    round_decimal,
-    short,
-)
+from verify.prover.decimals import decimal_text, exact_number, people, round_decimal, short
 from verify.views.plots.drawing import LEFT, LEGEND, LETTER, RIGHT, standalone, svg
 from verify.views.plots.map_colours import WIDE
 from verify.views.plots.shapes import (

@@ -79,7 +79,7 @@ class _Search:
         self._tried = iter(range(MOST))
         self._complete_at = _by_last_variable(variables, claims)
         self._parts = {claim: sum(1 for _ in parts_of(claim.lhs, claim.rhs)) for claim in claims}
-        self._between: dict[tuple[object, ...], list[Term]] = {}
+        self._known: dict[tuple[object, ...], list[Term]] = {}
 
     def run(self, values: Mapping[str, float]) -> dict[str, Term] | None:
         """The terms, where ``values`` has about what other names stand for."""
@@ -109,16 +109,21 @@ class _Search:
     def _candidates(
         self, name: str, ready: list[Claim], found: dict[str, Term], at: dict[str, float]
     ) -> Iterator[Term]:
-        yield from _candidates(name, self.claims, found, at, self.around)
-        there = (name, *map(found.get, _names_in(ready)))
-        if there not in self._between:
-            self.left -= SAMPLES * sum(self._parts[claim] for claim in ready)
-            if self.left <= 0:
-                return
-            from verify.wire.text.solutions import between  # loaded only where it is used
+        yield from _bounded(name, self.claims, found, at, self.around)
+        yield from self._solved(name, [c for c in ready if c.relation == "="], found)
+        yield from map(as_term, _SIMPLE)
+        yield from self._solved(name, [c for c in ready if c.relation != "="], found)
 
-            self._between[there] = [*between(name, ready, found)]
-        yield from self._between[there]
+    def _solved(self, name: str, claims: list[Claim], found: dict[str, Term]) -> Sequence[Term]:
+        """Where equations hold, or numbers on both sides of where inequalities are equations."""
+        key = (name, *claims, *map(found.get, _names_in(claims)))
+        if key not in self._known and claims:
+            self.left -= SAMPLES * sum(self._parts[claim] for claim in claims)
+            from verify.wire.text.solutions import between, equal  # loaded only where it is used
+
+            solve = equal if claims[0].relation == "=" else between
+            self._known[key] = [*solve(name, claims, found)] if self.left > 0 else []
+        return self._known.get(key, ())
 
 
 def _names_in(claims: Sequence[Claim]) -> list[str]:
@@ -137,14 +142,14 @@ def _by_last_variable(
     return found
 
 
-def _candidates(
+def _bounded(
     name: str,
     claims: Sequence[Claim],
     found: Mapping[str, Term],
     at: Mapping[str, float],
     around: Collection[str],
 ) -> Iterator[Term]:
-    """Between the bounds of a variable, then the bounds themselves, then simple numbers."""
+    """Between the bounds of a variable, then the bounds themselves."""
     lows, highs = _bounds(name, claims, found, at)
     low = max(lows, key=lambda pair: pair[0], default=None)
     high = min(highs, key=lambda pair: pair[0], default=None)
@@ -158,12 +163,6 @@ def _candidates(
     elif high:
         yield high[1] - 1 if moves else as_term(math.ceil(high[0]) - 1)
     yield from ends
-    from verify.wire.text.solutions import solutions  # loaded only where it is used
-
-    for claim in claims:
-        if claim.relation == "=":
-            yield from solutions(name, claim, found)
-    yield from map(as_term, _SIMPLE)
 
 
 Bound = tuple[float, Term]

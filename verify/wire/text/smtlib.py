@@ -18,13 +18,7 @@ from verify.language.statement import Statement, Variable
 from verify.language.terms import Claim, as_term, names_of, substitute_claim, symbol
 from verify.wire.inputs import InputError, file_name, shown
 from verify.wire.text import Page
-from verify.wire.text.conjunctions import (
-    Asked,
-    Order,
-    TooManyCasesError,
-    cases,
-    forms,
-)
+from verify.wire.text.conjunctions import Asked, Order, TooManyCasesError, cases, forms
 from verify.wire.text.formulas import (
     BOOL,
     MAX_CASES,

@@ -16,7 +16,13 @@ from verify.wire.text.estimates import estimate, simplest
 MOST_INDEX = 20
 
 
-def solutions(name: str, claim: Claim, found: Mapping[str, Term]) -> Iterator[Term]:
+def equal(name: str, claims: Sequence[Claim], found: Mapping[str, Term]) -> Iterator[Term]:
+    """The values of a variable at which the sides of one of the claims are equal."""
+    for claim in claims:
+        yield from _solutions(name, claim, found)
+
+
+def _solutions(name: str, claim: Claim, found: Mapping[str, Term]) -> Iterator[Term]:
     """The values of a variable at which the sides are equal, if they differ by a square or less.
 
     And the root if that is a multiple of a power of the variable and a number.
@@ -61,8 +67,7 @@ def _roots(number: Fraction, *gaps: Fraction) -> Iterator[Term]:
 
 def between(name: str, claims: Sequence[Claim], found: Mapping[str, Term]) -> Iterator[Term]:
     """Numbers between the values at which the sides of inequalities are equal, and beyond them."""
-    sides = (claim for claim in claims if claim.relation != "=")
-    ends = {estimate(end, {}) for claim in sides for end in solutions(name, claim, found)}
+    ends = {estimate(end, {}) for end in equal(name, claims, found)}
     ordered = sorted(filter(math.isfinite, ends))
     if ordered:
         yield as_term(math.ceil(ordered[-1]) + 1)

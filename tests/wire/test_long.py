@@ -38,18 +38,22 @@ def test_a_long_text_is_refused_at_once(
 
 SUM = " + ".join(["x"] * 600)
 CONTEXT = '[contexts.c]\nvariables = "x"\ngiven = ["0 < x", "x < 1"'
-LONG_SUMS = {
+LONG = {
     "given": f'{CONTEXT}, "{SUM} < 1000"]\n[rows]\nr = "x < 2"',
     "row": f'{CONTEXT}]\n[rows]\nr = "{SUM} < 600"',
     "signs": f'{CONTEXT}]\n[rows]\nr = "{SUM.replace("+", "-")} = -598*x"',
     "root": f'[contexts.c]\nvariables = "x"\nroot = "{SUM} - 1"\nbetween = ["0", "1"]'
     '\n[rows]\nr = "x < 2"',
+    "product": f'[constants]\na = "{"*".join(f"(1 + 1/{k}^2)" for k in range(1, 300))}"\n'
+    '[rows]\nr = "3.66 < a"\ns = "a < 3.67"',
+    "with quotients": f'[constants]\na = "{"/".join(["*".join(["2"] * 200)] * 2)}"\n'
+    '[rows]\nr = "a = 2^398"',
     "constant": f'[constants]\na = "{SUM.replace("x", "sqrt(2)")}"\n[rows]\nr = "a < 849"',
 }
 
 
-@pytest.mark.parametrize("text", LONG_SUMS.values(), ids=LONG_SUMS)
-def test_a_long_sum_is_a_tree_of_small_height(text: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("text", LONG.values(), ids=LONG)
+def test_a_long_sum_or_product_is_a_tree_of_small_height(text: str, tmp_path: Path) -> None:
     path = tmp_path / "p.toml"
     path.write_text(f'title = "t"\n{text}')
     assert main(["prove", str(path)]) == 0

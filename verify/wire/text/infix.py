@@ -519,20 +519,27 @@ class _Reader:
         return one[0], self.with_tables(added, one[1], other[1], sign)
 
     def product(self) -> Value:
-        """Factors with signs between them."""
-        found, is_number = self.factor()
+        """Factors with signs between them; very many numbers are a tree, as in a sum."""
+        first, is_number = self.factor()
+        factors = [first]
         while sign := self.take("*", "/"):
             other, too = self.factor()
-            if sign == "*":
-                found = self.with_tables(times, found, other)
+            if sign == "*" and isinstance(first, Term) and isinstance(other, Term):
+                factors.append(other)
+            elif sign == "*":
+                first = self.with_tables(times, self._product(factors), other)
+                factors = [first]
             elif is_number and too:
-                found = self._quotient(self.number(found).value, self.number(other).value)
+                factors = [self._quotient(self.number(first).value, self.number(other).value)]
             elif self.indices and other is as_term(0):
                 raise self.error("divides by zero")
             else:
-                found = self.with_tables(over, found, other)
+                factors = [self.with_tables(over, self._product(factors), other)]
             is_number = False
-        return found
+        return self._product(factors)
+
+    def _product(self, factors: Sequence[Value]) -> Value:
+        return joined(factors, partial(self.with_tables, times))
 
     def _quotient(self, above: Fraction, below: Fraction) -> Term:
         if below == 0:

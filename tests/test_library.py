@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 import subprocess
 import sys
@@ -10,6 +11,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from itertools import chain
 from pathlib import Path
+from typing import Any
 
 import pytest
 from mypy import api
@@ -364,3 +366,28 @@ def test_a_root_is_a_context_with_the_rows_that_show_it() -> None:
         root_between("none", x**2 - 2, x, (0, sqrt(3)))
     with pytest.raises(TypeError, match="no variable"):
         root_between("none", x**2 - 2, 2 * x, (0, 2))
+
+
+@pytest.mark.parametrize(
+    ("limits", "what"),
+    [
+        ({"seconds": math.inf}, "seconds = inf: write a number below"),
+        ({"seconds": math.nan}, "seconds = nan"),
+        ({"seconds": 1e300}, "seconds = 1e[+]300"),
+        ({"seconds": "2"}, "seconds = '2'"),
+        ({"work": "3"}, "work = '3': write how many units"),
+        ({"work": 1.5}, "work = 1.5"),
+    ],
+)
+def test_limits_are_numbers(limits: dict[str, Any], what: str) -> None:
+    with pytest.raises(InputError, match=what):
+        prove(lemma("t", [ask("r", as_term(0) < 1)]), **limits)
+    assert prove(lemma("t", [ask("r", as_term(0) < 1)]), seconds=Fraction(5)).verdict == "proved"
+
+
+def test_a_word_of_certificates_and_half_a_letter_are_refused() -> None:
+    with pytest.raises(InputError, match="the row goal: that is a word of certificates"):
+        lemma("t", [ask("goal", as_term(0) < 1)])
+    for title, says in (("\udc80", ""), ("t", "\udc80")):
+        with pytest.raises(InputError, match="half of a letter"):
+            prove(lemma(title, [ask("r", as_term(0) < 1, says=says)]))

@@ -48,7 +48,11 @@ from verify.wire.text.roots import Isolated, isolated
 from verify.wire.text.write_page import page_text
 from verify.wire.write import write
 
+#: So many seconds are no time to wait.
+LONGEST = 10**9
 Item = TypeVar("Item")
+#: So many seconds are no time to wait.
+LONGEST = 10**9
 Claims = Mapping[str, Claim] | Iterable[Claim]
 
 
@@ -435,6 +439,11 @@ def _page(path: str | PathLike[str]) -> Page:
 
 
 def _budget(work: int, seconds: float | None, watch: Callable[[str], None] | None) -> WorkBudget:
+    if type(work) is not int or work < 0:
+        raise InputError(f"work = {work!r}: write how many units, an integer")
+    is_number = isinstance(seconds, int | float | Fraction)
+    if seconds is not None and not (is_number and 0 <= seconds < LONGEST):
+        raise InputError(f"seconds = {seconds!r}: write a number below {LONGEST}, or None")
     return WorkBudget(work, seconds) if watch is None else WorkBudget(work, seconds, watch)
 
 
@@ -542,6 +551,8 @@ def _are_names(named: Iterable[tuple[str, str]]) -> None:
             raise InputError(
                 f"the {what} {shown(name)}: it is no name; write ASCII letters, digits, and _ . -"
             )
+        if name == "goal":
+            raise InputError(f"the {what} goal: that is a word of certificates; choose another")
         if name in taken:
             raise InputError(
                 f"{name} is the name of a {taken[name]} and of a {what}; choose another"

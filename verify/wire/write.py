@@ -37,6 +37,7 @@ from verify.prover.proof import (
     mapped,
 )
 from verify.prover.rules import Interval, rule_of
+from verify.wire.inputs import InputError
 from verify.wire.term_json import TermWriter
 
 STATEMENT_FORMAT = "verify-statement/2"
@@ -259,9 +260,17 @@ def _value_terms(value: Any) -> Iterator[Term]:
 
 
 def encode(document: Mapping[str, Any]) -> bytes:
-    """The bytes of a document: sorted keys, one line per entry of a list or table."""
+    """The bytes of a document: sorted keys, one line per entry of a list or table.
+
+    Raises:
+        InputError: if a text in it has half of a letter.
+    """
     parts = [f"{_compact(key)}: {_lines(document[key])}" for key in sorted(document)]
-    return ("{\n" + ",\n".join(parts) + "\n}\n").encode()
+    try:
+        return ("{\n" + ",\n".join(parts) + "\n}\n").encode()
+    except UnicodeEncodeError as error:
+        half = error.object[error.start]
+        raise InputError(f"{half!r} in a text is half of a letter; write the letter") from error
 
 
 def _lines(value: Any) -> str:

@@ -218,6 +218,26 @@ so(
 so(P, "H' ≤ H + Kg(x+D+H+Y)", has(A, "step-H: H_1 <= H + K*g*(x + D + H + Y)"))
 so(P, "(4K/c)x, H is at most (c/4K)x", has(A, "N: 4*K/c; s: c/4/K;"))
 so(P, "as long as y ≤ g", has(A, "0 < y ≤ g"))
+so(P, "c ≤ 1 and K ≥ 1 such", has(A, "apart-c-one: c <= 1;", "apart-K: 1 <= K;"))
+M = {
+    key: in_thousands(number) if isinstance(number, int) else number
+    for key, number in MEASURED["reading"].items()
+}
+said(
+    P,
+    "and {} collisions, {} of them with a tangential velocity that vanishes; errors below {}",
+    *(M["collisions"], M["of them without a tangential velocity"], M["error"]),
+)
+said(
+    P, "{} pairs of states in exact numbers, {} of them with", M["pairs"], M["of them with a zero"]
+)
+said(P, "{} records of small κ on {} orbits of the limit map", M["records"], M["orbits"])
+said(P, "{} orbits of the limit map at the threshold or below: {} ended", M["orbits"], M["ended"])
+said(P, "still grew after {} collisions", M["followed"])
+said(P, "{} base points, as follows", M["base points"])
+said(P, "Of {} starts all", M["starts"])
+said(P, "In {} collisions of two orbits", M["steps"])
+said(P, "Over {} of the base points", M["near the threshold"])
 
 P = "docs/explanation/classification.md"
 said(P, "at least 90°", by=coded("90°", "verify/views/classification.py", "at least a right one"))

@@ -219,10 +219,18 @@ so(P, "H' ≤ H + Kg(x+D+H+Y)", has(A, "step-H: H_1 <= H + K*g*(x + D + H + Y)")
 so(P, "(4K/c)x, H is at most (c/4K)x", has(A, "N: 4*K/c; s: c/4/K;"))
 so(P, "as long as y ≤ g", has(A, "0 < y ≤ g"))
 so(P, "c ≤ 1 and K ≥ 1 such", has(A, "apart-c-one: c <= 1;", "apart-K: 1 <= K;"))
-M = {
-    key: in_thousands(number) if isinstance(number, int) else number
-    for key, number in MEASURED["reading"].items()
-}
+FIRST, M = (
+    {key: in_thousands(x) if isinstance(x, int) else x for key, x in MEASURED[name].items()}
+    for name in ("first reading", "reading")
+)
+said(
+    P,
+    "correct: {} collisions, {} of them with a tangential velocity that vanishes, errors below {}",
+    *(FIRST["collisions"], FIRST["of them without a tangential velocity"], FIRST["error"]),
+)
+said(P, "correct: {} pairs of states", FIRST["pairs"])
+said(P, "{} sets of masses for the trap", FIRST["masses"])
+said(P, "{} collisions of two orbits over one base point", FIRST["steps"])
 said(
     P,
     "and {} collisions, {} of them with a tangential velocity that vanishes; errors below {}",

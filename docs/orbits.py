@@ -1,4 +1,4 @@
-"""The picture of `docs/explanation/alexander.md`: orbits over one base point move apart.
+"""The orbits of `docs/explanation/alexander.md`: over one base point, and with both speeds tuned.
 
 Three equal balls in the plane are followed, in decimals of many digits; nothing rests on them. As a
 program it writes the picture.
@@ -16,9 +16,8 @@ from verify.views.plots.shapes import Curve, Panel, Scale, Shape, marks, powers
 
 PICTURE = Path(__file__).parent / "explanation/alexander.svg"
 Vector = tuple[Decimal, Decimal]
-#: The coefficient of restitution, and the share (1+r)/2 of the closing speed.
+#: The coefficient of restitution.
 R = Decimal("0.03")
-SHARE = (1 + R) / 2
 #: The base point: q, the closing speed, -cos θ; both tangential speeds are 1.
 Q, Y, C = Decimal("0.1"), Decimal("0.01"), Decimal("0.99")
 #: How much larger or smaller κ is at the start than on the border, with the strokes of its curve.
@@ -48,7 +47,7 @@ def start(kappa: Decimal) -> State:
     return State(s, c, v_s, (-Y, Decimal(1)), kappa * Y * Y)
 
 
-def after(state: State) -> State | None:
+def after(state: State, r: Decimal = R) -> State | None:
     """The state after the collision with c, or None where there is none."""
     speed, d = -dot(state.v_c, state.at_c), state.d
     root = ((1 + d) * speed) ** 2 - dot(state.v_c, state.v_c) * d * (2 + d)
@@ -59,8 +58,8 @@ def after(state: State) -> State | None:
     contact = plus(plus(zero, 1 + d, state.at_c), time, state.v_c)
     end = plus(state.at_s, time, state.v_s)
     closing, reach = -dot(state.v_c, contact), dot(end, end).sqrt()
-    v_s = plus(state.v_c, (1 + R) * closing, contact)
-    v_c = plus(state.v_s, SHARE * closing, contact)
+    v_s = plus(state.v_c, (1 + r) * closing, contact)
+    v_c = plus(state.v_s, (1 + r) / 2 * closing, contact)
     return State(contact, plus(zero, 1 / reach, end), v_s, v_c, reach - 1)
 
 
@@ -83,9 +82,42 @@ def border() -> Decimal:
     return low
 
 
+def without_momentum(collisions: int) -> tuple[Decimal, Decimal, State]:
+    """Tangential speeds from which there are so many collisions, an even number, and their end.
+
+    At r = 0.06, with -cos θ = 0.97 and the gap 1/1000. What is left of the tangential speeds after
+    2, 4, 8 and more collisions is taken from those at the start.
+    """
+    r, c = Decimal("0.06"), Decimal("0.97")
+    a = (1 + r) / 2 * c
+    q = (a - (a * a - 4 * r).sqrt()) / 2
+    at_s, at_c = (Decimal(1), Decimal(0)), (-c, (1 - c * c).sqrt())
+    at_start = [Decimal(0), Decimal(0)]
+    followed = 1
+    while followed < collisions:
+        followed = min(2 * followed, followed + 32, collisions)
+        for _ in range(6):
+            speeds = zip((at_s, at_c), (q, Decimal(-1)), at_start, strict=True)
+            v_s, v_c = ((h * x - t * y, h * y + t * x) for (x, y), h, t in speeds)
+            state = State(at_s, at_c, v_s, v_c, Decimal("0.001"))
+            for _ in range(followed):
+                following = after(state, r)
+                if following is None:
+                    raise ArithmeticError(f"there are no {followed} collisions")
+                state = following
+            left = cross(state.at_s, state.v_s), cross(state.at_c, state.v_c)
+            at_start = [t - rest for t, rest in zip(at_start, left, strict=True)]
+    return *at_start, state
+
+
 def dot(a: Vector, b: Vector) -> Decimal:
     """a·b."""
     return a[0] * b[0] + a[1] * b[1]
+
+
+def cross(a: Vector, b: Vector) -> Decimal:
+    """The speed b in the direction of a turned by a right angle."""
+    return a[0] * b[1] - a[1] * b[0]
 
 
 def plus(a: Vector, factor: Decimal, b: Vector) -> Vector:

@@ -219,6 +219,12 @@ so(P, "H' ≤ H + Kg(x+D+H+Y)", has(A, "step-H: H_1 <= H + K*g*(x + D + H + Y)")
 so(P, "(4K/c)x, H is at most (c/4K)x", has(A, "N: 4*K/c; s: c/4/K;"))
 so(P, "as long as y ≤ g", has(A, "0 < y ≤ g"))
 so(P, "c ≤ 1 and K ≥ 1 such", has(A, "apart-c-one: c <= 1;", "apart-K: 1 <= K;"))
+M = MEASURED["without momentum"]
+said(P, "At r = {}, with -cos θ = {}, one", M["r"], M["cosine"])
+said(P, "and the gap {},", M["gap"])
+said(P, "speeds {} and {}, tuned to {} digits", *M["tangential speeds"], str(M["digits"]))
+said(P, "give {} collisions in turn: the gap falls below {},", str(M["collisions"]), M["last gap"])
+said(P, "comes to {}. The", M["last cosine"])
 FIRST, M = (
     {key: in_thousands(x) if isinstance(x, int) else x for key, x in MEASURED[name].items()}
     for name in ("first reading", "reading")

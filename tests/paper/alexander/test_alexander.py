@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from decimal import Decimal, localcontext
 from random import Random
 
 import mpmath
 import pytest
 
-from docs.orbits import PICTURE, drawn
+from docs.orbits import PICTURE, cross, dot, drawn, without_momentum
+from tests.facts import MEASURED
 from tests.paper.changed_statements import answer, without
 from verify.language.statement import PROVED
 from verify.paper.commands.pages import content, decide, page
@@ -141,6 +143,17 @@ def test_the_rows_of_a_collision_are_what_three_balls_do() -> None:
 
 def test_the_picture_of_the_page_is_the_one_that_is_drawn() -> None:
     assert drawn() == PICTURE.read_text(encoding="utf-8")
+
+
+def test_two_speeds_are_tuned_until_there_are_hundreds_of_collisions() -> None:
+    told = MEASURED["without momentum"]
+    with localcontext() as context:
+        context.prec = told["digits"]
+        *speeds, end = without_momentum(told["collisions"])
+        assert [f"{speed:.10f}" for speed in speeds] == told["tangential speeds"]
+        assert Decimal("1e-153") < end.d < Decimal("1e-152")
+        assert f"{-dot(end.at_s, end.at_c):.10f}" == told["last cosine"]
+        assert abs(cross(end.at_s, end.v_s)) < Decimal("1e-80")
 
 
 def vector(rng: Random) -> mpmath.matrix:

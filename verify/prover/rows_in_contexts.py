@@ -43,7 +43,7 @@ class RowsInContexts:
         if not isinstance(claim, Claim) or row.context not in self.known.contexts:
             return Decision(UNDECIDED)
         goal, context = self.known.goal(claim, row.context), self.known.contexts[row.context]
-        is_false = self._is_false_at(goal, context.point)
+        is_false = self._is_false_at_point(goal, context)
         witness = self._refute(goal, context) if is_false else None
         proof = None if witness else self.known.prove(goal)
         if proof is None and not is_false:
@@ -131,7 +131,7 @@ class RowsInContexts:
     def _false_points(self, goal: Goal, context: Context) -> Iterator[Mapping[str, Term]]:
         """Values at which the claim may be false, those that are found soon first."""
         simple = refuting_point(goal, self.known.enclosed)
-        if simple is None and self._is_false_at(goal, context.point):
+        if simple is None and self._is_false_at_point(goal, context):
             yield context.point
         for point in (simple, None if simple else refuting_minimum(goal, self.known)):
             if point is not None:
@@ -143,11 +143,16 @@ class RowsInContexts:
 
         yield from false_points(Question(goal, self.known), context)
 
-    def _is_false_at(self, goal: Goal, point: Mapping[str, Term]) -> bool:
-        """Whether the claim is soon seen to be false at numbers."""
-        values = [point[name] for name in goal.variables if name in point]
-        is_known = len(values) == len(goal.variables) and all(v.op == "rational" for v in values)
-        return is_known and failure_test(goal, self.known.enclosed)([v.value for v in values])
+    def _is_false_at_point(self, goal: Goal, context: Context) -> bool:
+        """Whether the claim is soon seen to be false at the point of its context."""
+        values = [context.point.get(name) for name in goal.variables]
+        numbers = [term.value for term in values if term is not None and term.op == "rational"]
+        if len(numbers) == len(values):
+            return failure_test(goal, self.known.enclosed)(numbers)
+        there = substitute_claim(goal.claim, with_constants(context, context.point))
+        ground = self.known.ground
+        is_number = self.known.home(there, context.parent) is None
+        return is_number and ground.compare(there, ground.start_bits) == REFUTED
 
     def witness(self, goal: Goal, context: Context, at: Mapping[str, Term]) -> Witness | None:
         """A proof that the givens hold at some values, and the claim does not."""

@@ -24,7 +24,7 @@ from operator import add
 from flint import fmpq_mpoly
 
 from verify.language.terms import Claim, Term, as_term
-from verify.prover.clearing import atoms_of, expanded
+from verify.prover.clearing import Clearing, atoms_of, expanded
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Sum
 from verify.prover.search.bases import Gradings, all_monomials
@@ -211,9 +211,9 @@ def _powers(
 
     For an equation e = b about a number b > 0 the term is a power of e/b of the degree of R^k.
     """
-    clear = question.clearing.difference
     for name, equation in question.equations.items():
-        k = int(clear(equation.lhs, equation.rhs).total_degree())
+        sides = equation.lhs, equation.rhs
+        k = int(Clearing(sides, {}).difference(*sides).total_degree())
         if not 2 <= k <= MAX_POWER:
             continue
         turned = equation.lhs.op == "rational"

@@ -12,25 +12,38 @@ from verify.prover.search.interior import contradiction_of
 from verify.prover.session import Session
 
 
-def why_no_point(variables: Mapping[str, str], givens: Sequence[Given], in_time: str = "") -> str:
-    """That linear givens contradict each other, or how to write a point.
+def why_no_point(
+    context: str,
+    variables: Mapping[str, str],
+    givens: Sequence[Given],
+    numbers: tuple[Sequence[Constant], Mapping[str, float]],
+    in_time: str,
+) -> tuple[list[str], str]:
+    """What is to be mended, and why.
 
     Args:
+        context: its name.
         variables: as they are written, and their names.
         givens: of the context.
+        numbers: the constants, and about what names stand for.
         in_time: what may help as well, where the search ended before its time.
     """
+    if undefined := _without_value(*numbers, givens):
+        name, why = undefined
+        why = f"{why}, so no point of the context {context} is known; mend it"
+        return ["constants", name], why
+    place = ["contexts", context]
     wrong = contradiction_of([*variables.values()], [given.claim for given in givens])
     if wrong is not None:
-        return f"the givens contradict each other: {wrong.words}; mend one of them"
+        return place, f"the givens contradict each other: {wrong.words}; mend one of them"
     sides = ", ".join(f"{written} = ..." for written in variables)
-    return (
+    return place, (
         f"no point was found at which all givens hold; write {in_time}one, as "
         f"point = {{ {sides} }}; or mend the givens, if they contradict each other"
     )
 
 
-def without_value(
+def _without_value(
     constants: Sequence[Constant], floats: Mapping[str, float], givens: Sequence[Given]
 ) -> tuple[str, str] | None:
     """A constant in the givens that is known to have no value, and why."""

@@ -442,8 +442,12 @@ class Reader:
             around = [other for other, home in self.scope.homes.items() if home is not None]
             at = self.points.find(new, givens, self.floats, {*around} - {*new})
             if at is None:
+                from verify.wire.text.no_point import why_no_point  # only where it is needed
+
                 written = {key: variable.name for key, variable in names.items()}
-                raise self._no_point(name, givens, written)
+                numbers = self.constants, self.floats
+                in_time = self.points.in_time
+                raise self.places.error(*why_no_point(name, written, givens, numbers, in_time))
         self.floats |= {v: estimate(term, self.floats) for v, term in at.items()}
         label = self.text([*keys, "label"], table.get("label", ""), "a label")
         own = table.get("constants", {})
@@ -454,20 +458,6 @@ class Reader:
         self._states(keys, table, self.contexts[name])
         if "by" in table:
             self.premises[name] = tuple(self.text([*keys, "by"], table["by"], "names").split())
-
-    def _no_point(
-        self, name: str, givens: Sequence[Given], variables: Mapping[str, str]
-    ) -> InputError:
-        """Why no point of a context was found."""
-        from verify.wire.text.no_point import why_no_point, without_value  # only where needed
-
-        if undefined := without_value(self.constants, self.floats, givens):
-            place, why = ["constants", undefined[0]], undefined[1]
-            return self.places.error(
-                place, f"{why}, so no point of the context {name} is known; mend it"
-            )
-        why = why_no_point(variables, givens, self.points.in_time)
-        return self.places.error(["contexts", name], why)
 
     def _states(self, keys: Sequence[str], table: Mapping[str, Any], context: Context) -> None:
         """The states of a context: values of all its variables, under a name."""

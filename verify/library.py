@@ -40,7 +40,6 @@ from verify.prover.prove import NO_HINTS
 from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.questions import cites_in, decide, decide_page, stated
 from verify.wire.text import Page
-from verify.wire.text.estimates import estimate
 from verify.wire.text.letters import letter_of
 from verify.wire.text.page_tables import NAME
 from verify.wire.text.read_page import read_page as read_text
@@ -235,9 +234,7 @@ def root_between(
         raise TypeError(
             f"root_between {name}: between has to be two rational numbers, such as (1, 2)"
         )
-    known: dict[str, float] = {}
-    for constant in constants:
-        known[constant.name] = estimate(constant.term, known)
+    known = {constant.name: constant.term for constant in constants}
     x = variable.name
     names = (x, f"{name}.range.{x}")
     first, second = (Variable(own, *letter_of(x)) for own in names)

@@ -9,6 +9,9 @@ import pytest
 from verify import check
 from verify.language.terms import Claim, Number, Term, equal, symbol
 from verify.library import ask, certificate, for_all, lemma, prove
+from verify.prover.budget import WorkBudget
+from verify.wire.questions import decide_page
+from verify.wire.text.read_page import read_page
 
 a, b, c = map(symbol, "abc")
 POSITIVE = [0 < a, 0 < b, 0 < c]
@@ -43,3 +46,24 @@ def test_a_least_value_is_found_and_no_larger_one(
 ) -> None:
     assert verdict(least <= term, context) == "proved"
     assert verdict(least + Fraction(1, 2) <= term, context) != "proved"
+
+
+def test_atoms_of_an_equation_are_not_looked_up_among_those_of_the_claim() -> None:
+    """The search ended with a KeyError, told as the reason."""
+    text = """title = "t"
+constants = { q = "sqrt(2) - 1" }
+[contexts.o]
+variables = "x y"
+given = ["x = q", "y = x^2", "0 < y"]
+[rows]
+a = "y < 1/10"
+b = "y = 3 - 2*sqrt(2)"
+d = "y < 3 - 2*sqrt(2)"
+f = "x + y > 1"
+g = "x + y < 1"
+"""
+    page = read_page("f.toml", text.encode())
+    found = {
+        name: d.claimed for name, d in decide_page(page, WorkBudget(300_000)).decisions.items()
+    }
+    assert found == {"a": "refuted", "b": "proved", "d": "refuted", "f": "refuted", "g": "proved"}

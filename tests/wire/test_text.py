@@ -677,6 +677,51 @@ def test_a_root_comes_with_rows_that_show_that_it_exists() -> None:
     assert again.statement == page.statement
 
 
+@pytest.mark.parametrize(
+    ("root", "between", "row"),
+    [
+        ("d - 1e30 - 1/3", "[0, 1e31]", "1e30 < d < 1e30 + 1"),
+        ("d - (1 - 1e-30)", "[0, 1]", "d > 1/2"),
+        ("d*1e-400", "[-1, 3]", "d < 1"),
+        ("exp(d) - 1e300", "[0, 1000]", "690 < d < 691"),
+        ("one*d - 1/2", "[0, 1]", "d < 0.6"),
+    ],
+)
+def test_a_root_is_found_where_floats_do_not_tell_signs(root: str, between: str, row: str) -> None:
+    text = f"""title = "t"
+[constants]
+one = "1"
+[contexts.c]
+variables = "d"
+root = "{root}"
+between = {between}
+rows = {{ near = "{row}" }}
+"""
+    assert decide(read_page("f.toml", text.encode()).statement).claimed == "proved"
+    false = text.replace(row, "d < -1/2")
+    assert decide(read_page("f.toml", false.encode()).statement).claimed == "refuted"
+
+
+def test_abbreviations_may_be_over_constants_and_these_over_abbreviations() -> None:
+    text = """title = "t"
+[let]
+d = "c*3"
+"f(t)" = "t*c + d"
+"g(c)" = "c^2"
+w = "1"
+[constants]
+c = "2"
+e = "g(c) + w"
+[rows]
+a = "d = 6"
+b = "f(2) = 10"
+h = "e = 5"
+"""
+    assert decide(read_page("f.toml", text.encode()).statement).claimed == "proved"
+    with pytest.raises(InputError, match="'d' is not defined here"):
+        read_page("f.toml", text.replace("g(c) + w", "d + w").encode())
+
+
 def test_a_root_that_is_not_the_only_one_is_not_proved() -> None:
     # The sign changes at 1 alone, and the derivative is negative in between.
     text = ROOT.replace("rho^3 - rho - one", "(rho - 1)*(rho - 2)^2").replace("[1, ", "[0.5, ")

@@ -174,6 +174,8 @@ def stated(page: Page) -> Statement:
     Raises:
         InputError: if a number cannot be chosen.
     """
+    if not page.choices:
+        return page.statement
     from verify.prover.choices import BudgetError, chosen  # loaded only where it is used
 
     try:

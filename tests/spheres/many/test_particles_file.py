@@ -100,6 +100,8 @@ BAD = {
     "again": ("a.xyz", XYZ.replace("Time=3", 'Lattice="9 0 0 0 9 0 0 0 9"'), "", "at most once"),
     "quotes": ("a.xyz", XYZ.replace("Time=3", "a='pbc=T T'"), "", "line 2: write each of"),
     "glued": ("a.xyz", XYZ.replace('7" P', '7"P'), "", "line 2: write each of"),
+    "only-names": ("a.csv", CSV.partition("\n")[0] + "\n", "", "line 2: has no particle"),
+    "turned": ("a.dump", DUMP.replace("-1 8", "8 -1"), "", "a side of its box is not positive"),
     "nobody": ("a.xyz", "0\n", "", "line 1: '0' is not the number"),
 }
 

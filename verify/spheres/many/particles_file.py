@@ -66,12 +66,22 @@ def with_particles(where: str, table: Mapping[str, Any]) -> dict[str, Any]:
         raise InputError(f"{where}: {PARTICLES}: {name} cannot be read ({reason})") from error
     read = {CSV: _csv, XYZ: _xyz, DUMP: _dump}
     (reader,) = (read[ends] for ends in read if os.path.splitext(name)[1] in ends)
-    found = _entries(path, reader(path, re.split("\r\n|\r|\n", text)))
+    rows = reader(path, re.split("\r\n|\r|\n", text))
+    found = _entries(path, rows)
+    _are_there(path, rows)
     rest = {key: value for key, value in table.items() if key != PARTICLES}
     both = sorted(rest.keys() & found.keys())
     if both:
         raise InputError(f"{where}: {both[0]}: {name} has them too; leave them out here")
     return rest | found
+
+
+def _are_there(path: str, found: Rows) -> None:
+    """Afterwards there is a particle, in a box that has an inside."""
+    if not found.rows:
+        raise InputError(f"{path}: line {found.line + 1}: has no particle; write a line of each")
+    if any(side <= 0 for side in found.box):
+        raise InputError(f"{path}: a side of its box is not positive; write its ends in order")
 
 
 def _entries(path: str, found: Rows) -> dict[str, Any]:

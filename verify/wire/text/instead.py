@@ -21,6 +21,7 @@ _SIGNS: Mapping[str, str] = {
     r"['’]\d": "a formula has no quotes in it",
     "['′]": "a name has no prime; write for example x_next",
     "_": "a name begins with a letter",
+    "; *.": 'write a list of claims, ["x^2 <= 2", "x > 0"]',
     ";": "leave it out; each claim is a text of its own",
     "[≪≫]": "write a bound, such as x < y/100",
     "∞": "leave a bound out that is infinite",

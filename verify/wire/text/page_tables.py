@@ -198,8 +198,7 @@ class Reader:
         self._assumptions(table.get("assumptions", {}))
         parameters = self._parameters(table.get("parameters", {}))
         self._sets(table.get("sets", {}))
-        self.let(["let"], table.get("let", {}), (None,))
-        self.constants += self._constants(["constants"], table.get("constants", {}), None)
+        self._abbreviated(table.get("let", {}), table.get("constants", {}))
         for name, value in self.table(["contexts"], table.get("contexts", {})).items():
             self._context(name, value)
         self._rows(table)
@@ -221,6 +220,17 @@ class Reader:
         self._known_rows()
         self._used_functions()
         return Page(statement, self.hints, chapters=lines, choices=self.choices)
+
+    def _abbreviated(self, lets: Any, constants: Any) -> None:
+        """Abbreviations and constants, of which each may stand for what is over the other ones."""
+        late: dict[str, object] = {}
+        if lets and constants:
+            from verify.wire.text.late import split  # loaded only where it is used
+
+            lets, late = split(lets, constants)
+        self.let(["let"], lets, (None,))
+        self.constants += self._constants(["constants"], constants, None)
+        self.let(["let"], late, (None,))
 
     # --- sets -----------------------------------------------------------------------------------
 
@@ -444,10 +454,12 @@ class Reader:
             if at is None:
                 from verify.wire.text.no_point import why_no_point  # only where it is needed
 
-                written = {key: variable.name for key, variable in names.items()}
-                numbers = self.constants, self.floats
-                in_time = self.points.in_time
-                raise self.places.error(*why_no_point(name, written, givens, numbers, in_time))
+                written, numbers = (
+                    {k: v.name for k, v in names.items()},
+                    (self.constants, self.floats),
+                )
+                why = why_no_point(name, written, givens, numbers, self.points.in_time)
+                raise self.places.error(*why)
         self.floats |= {v: estimate(term, self.floats) for v, term in at.items()}
         label = self.text([*keys, "label"], table.get("label", ""), "a label")
         own = table.get("constants", {})
@@ -557,11 +569,11 @@ class Reader:
         ((written, variable),) = names.items()
         other = variable._replace(name=self.name(keys, f"{whole}.{written}"))
         self.scope.add(other.name, other.name, whole)
-        from verify.wire.text.roots import isolated  # loaded only where it is used
+        from verify.wire.text.roots import about, isolated  # loaded only where they are used
 
-        numbers = (ends[0].value, ends[1].value)
+        numbers, known = (ends[0].value, ends[1].value), about(self.constants, self.floats)
         try:
-            found = isolated(name, (variable, other), term, numbers, self.floats)
+            found = isolated(name, (variable, other), term, numbers, known)
         except InputError as error:
             raise self.places.error([*keys, "root"], str(error)) from error
         says = self.text([*keys, "says"], table.get("says", found.context.says), "a sentence")

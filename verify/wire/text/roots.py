@@ -9,21 +9,23 @@ between the former, and so of the root; an equation that holds for the root alon
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from verify.language.record import Record
-from verify.language.statement import NEEDED, Context, Given, Obligation, Variable
+from verify.language.statement import NEEDED, Constant, Context, Given, Obligation, Variable
 from verify.language.terms import Claim, Term, as_term, names_of, substitute, symbol
+from verify.prover import balls
+from verify.prover.program import Machine, Program
 from verify.prover.search.derivatives import derivative
 from verify.wire.inputs import InputError, shown
-from verify.wire.text.estimates import estimate
 
 #: The ends between which a root is named have so many decimals.
 DIGITS = 12
-STEPS = 60
-#: The numbers beside a root are floats.
-LARGEST = 10**300
+#: Bits of the balls that tell a sign, one after another.
+PRECISIONS = (64, 256, 1024, 4096, 2**14)
+_SIGNS = {-1: "negative", 0: "0, or of no sign that is known", 1: "positive"}
 
 
 class Isolated(Record):
@@ -34,12 +36,19 @@ class Isolated(Record):
     rows: tuple[Obligation, ...]
 
 
+def about(constants: Sequence[Constant], floats: Mapping[str, float]) -> dict[str, Term]:
+    """What names stand for, over earlier ones, or a number near it."""
+    exact = {constant.name: constant.term for constant in constants}
+    near = {name: x for name, x in floats.items() if name not in exact and math.isfinite(x)}
+    return {name: as_term(Fraction(x)) for name, x in near.items()} | exact
+
+
 def isolated(
     name: str,
     variables: tuple[Variable, Variable],
     term: Term,
     between: tuple[Fraction, Fraction],
-    known: Mapping[str, float],
+    known: Mapping[str, Term],
 ) -> Isolated:
     """What a statement needs for a root.
 
@@ -48,7 +57,7 @@ def isolated(
         variables: that of the context, over which the term is, and one for the whole range.
         term: is 0 at the root.
         between: the numbers between which it is the only root.
-        known: about what other names in the term stand for.
+        known: what other names in the term stand for, or about that, over earlier names.
 
     Raises:
         InputError: if the term does not change its sign, or has no derivative.
@@ -106,28 +115,49 @@ def _sign(term: Term, *, positive: bool) -> Claim:
 
 
 def _narrow(
-    name: str, term: Term, x: str, between: tuple[Fraction, Fraction], known: Mapping[str, float]
+    name: str, term: Term, x: str, between: tuple[Fraction, Fraction], known: Mapping[str, Term]
 ) -> tuple[Fraction, Fraction, bool]:
     """Ends with few decimals around a change of sign, and whether the term rises there.
 
-    They are estimates: the rows say whether it is so.
+    The rows say that it is so.
     """
-
-    def value(at: Fraction) -> float:
-        if abs(at) > LARGEST:
-            raise InputError(f"{shown(name)}: the numbers beside it are too large; write others")
-        return estimate(term, {**known, x: float(at)})
-
     low, high = between
-    first, last = value(low), value(high)
-    if not low < high or not first * last < 0:
+    signs = _Signs(term, x, known)
+    first, last = map(signs.at, between)
+    if not low < high or first * last >= 0:
+        told = [_SIGNS[sign] for sign in (first, last)]
         raise InputError(
             f"{shown(name)}: the term does not change its sign from {low} to {high}, where it is "
-            f"about {first:.3g} and {last:.3g}; write numbers between which its root lies"
+            f"{told[0]} and {told[1]}; write numbers between which its root lies"
         )
-    for _ in range(STEPS):
-        middle = (low + high) / 2
-        low, high = (middle, high) if value(middle) * first > 0 else (low, middle)
     unit = Fraction(1, 10**DIGITS)
+    while high - low > unit / 4:
+        middle = (low + high) / 2
+        sign = signs.at(middle)
+        low, high = (middle, high if sign else middle) if sign != last else (low, middle)
     near = round((low + high) / 2 / unit) * unit
     return max(between[0], near - unit), min(between[1], near + unit), first < 0
+
+
+class _Signs:
+    """The signs of a term at numbers: 0 where it is 0, has no value, or balls do not tell."""
+
+    def __init__(self, term: Term, x: str, known: Mapping[str, Term]) -> None:
+        self._term, program = term, Program([x])
+        for name, value in known.items():
+            if all(part in program.slots for part in names_of(value)):
+                program.define(name, value)
+        is_known = all(part in program.slots for part in names_of(term))
+        self._machines = {
+            bits: Machine(program, balls.BallArithmetic()) for bits in PRECISIONS if is_known
+        }
+
+    def at(self, number: Fraction) -> int:
+        """The sign there."""
+        for bits, machine in self._machines.items():
+            with balls.precision(bits):
+                value = machine.run([balls.from_fraction(number)])[self._term]
+                sign = 0 if value is None else balls.strict_sign(value)
+            if sign or value is None:
+                return sign
+        return 0

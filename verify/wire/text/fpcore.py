@@ -146,9 +146,7 @@ class _Core:
         found = points.find(self.variables, self.givens, {})
         found = self._middle() if found is None else found
         if found is None:
-            raise self.source.error(
-                self.tree, "no input was found that satisfies its precondition; mend :pre"
-            )
+            raise self.source.error(self.tree, "no input was found that satisfies :pre; mend it")
         return found
 
     def _middle(self) -> dict[str, Term] | None:

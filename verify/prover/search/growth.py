@@ -31,7 +31,7 @@ from verify.language.terms import (
 from verify.prover.balls import float_of, fmpq_of, fraction_of
 from verify.prover.clearing import ROOTS, Clearing, TooLongError, coefficients
 from verify.prover.goal import Bounds
-from verify.prover.proof import Premise, Proof, Value, power_of, product_of
+from verify.prover.proof import Premise, Proof, Value, power_of, product_of, sum_of
 from verify.prover.rules import Cuts, Derivative, Have, InRange, Interval, Law, Monotony, Sum
 from verify.prover.search.bernstein_boxes import on_interval
 from verify.prover.search.compiled import estimates
@@ -79,6 +79,8 @@ def by_growth(question: Question) -> Proof | None:
         return None
     if goal.claim.relation not in ("<", "<=") or goal.claim.lhs == ZERO == goal.claim.rhs:
         return None
+    pairs = [{*names_of(g.claim.lhs, g.claim.rhs)} for g in known.contexts[goal.context].givens]
+    names.sort(key=lambda name: not any(name in pair and len(pair) > 1 for pair in pairs))
     searches = [Growth(question, name, clears) for clears in (False, True) for name in names]
     found = (s.prove(goal.claim, goal.variables[s.name], (), MAX_DEPTH) for s in searches)
     proof = next(filter(None, found), None)
@@ -140,7 +142,7 @@ class Growth:
         if not self.known.clears((claim.lhs, claim.rhs), self.context):
             return None
         touches = min(gap for _, gap in gaps) < 1e-3
-        found = self._simple(claim, bounds, cuts)
+        found = self._simple(claim, bounds, cuts) or self._by_factors(claim, bounds)
         found = found or (None if touches else self._tree(claim, bounds, cuts))
         parts = [*parts_of(claim.lhs, claim.rhs)]
         is_algebraic = not any(map(self._moves, parts))
@@ -152,7 +154,7 @@ class Growth:
             found = found or self._cleared(claim, bounds, cuts, depth)
             found = found or self._grown(claim, bounds, cuts, depth)
         if is_algebraic:
-            found = found or self._algebraic(claim)
+            found = found or self._by_factors(claim, bounds, lemmas=True) or self._algebraic(claim)
         return found or self._cut(claim, bounds, cuts, depth)
 
     def _moves(self, part: Term) -> bool:
@@ -290,6 +292,77 @@ class Growth:
         if not gaps or min(gaps) < 0 or self.algebraic > MAX_ALGEBRAIC:
             return None
         return self.known.prove(self.goal._replace(claim=claim))
+
+    def _by_factors(self, claim: Claim, bounds: Bounds, *, lemmas: bool = False) -> Proof | None:
+        """A product of factors whose signs bounds show, or lemmas."""
+        is_negative = partial(self.known.is_negative, context=self.context)
+        try:
+            clearing = Clearing((claim.lhs, claim.rhs), {}, is_negative)
+            number, factors = clearing.difference(claim.rhs, claim.lhs).factor()
+        except TooLongError:
+            return None
+        scale, values = fraction_of(number), list[Value]()
+        for factor, power in factors:
+            signed = self._signed(clearing, factor, bounds, claim.relation, lemmas=lemmas)
+            if signed is not None:
+                values.append(power_of(signed[0], power))
+                scale *= signed[1] ** power
+            elif power % 2 == 0 and claim.relation == "<=":
+                values.append(power_of(("square", clearing.term(factor)), power // 2))
+            else:
+                return None
+        return Sum(("goal", product_of(str(scale), *values))) if scale > 0 else None
+
+    def _signed(
+        self,
+        clearing: Clearing,
+        factor: fmpq_mpoly,
+        bounds: Bounds,
+        relation: str,
+        *,
+        lemmas: bool,
+    ) -> tuple[Value, int] | None:
+        """The value of a factor or, with the sign -1, of its opposite."""
+        for sign in (1, -1):
+            found = self._linear(clearing, factor * sign, bounds, relation)
+            if found is not None:
+                return found, sign
+        for sign in (1, -1):
+            claim = Claim(relation, ZERO, clearing.term(factor * sign))
+            if lemmas and self._sign(claim.rhs, self.goal.variables[self.name]) == 1:
+                name = self.question.fact(claim)
+                return None if name is None else (name, sign)
+        return None
+
+    def _linear(
+        self, clearing: Clearing, polynomial: fmpq_mpoly, bounds: Bounds, relation: str
+    ) -> Value | None:
+        """The value of a sum of multiples of variables, by their bounds, or of an exponential."""
+        variables, addends = self._variables(bounds), list[Value]()
+        least, is_strict = Fraction(0), False
+        end: Fraction | None
+        for monomial, value in polynomial.to_dict().items():
+            number, degree = fraction_of(value), sum(monomial)
+            if degree == 0:
+                least += number
+                continue
+            atom = clearing.atoms[[*monomial].index(1)] if degree == 1 else ZERO
+            if atom.op == "exp" and number > 0:
+                fact = self.known.fact(Claim("<", ZERO, atom), self.context)
+                end, strict = Fraction(0), True
+            elif atom.op == "symbol" and atom.name in variables:
+                low, high, low_fact, high_fact, *relations = variables[atom.name]
+                end, fact = (low, low_fact) if number > 0 else (high, high_fact)
+                strict = relations[number < 0] == "<"
+            else:
+                return None
+            if end is None or fact is None:
+                return None
+            addends.append(product_of(str(abs(number)), fact))
+            least, is_strict = least + number * end, is_strict or strict
+        if least < 0 or (relation == "<" and least == 0 and not is_strict):
+            return None
+        return sum_of(*addends, *([str(least)] if least else [])) if addends else None
 
     def _tree(self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...]) -> Proof | None:
         variables = self._variables(bounds)

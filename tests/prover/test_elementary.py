@@ -209,6 +209,30 @@ def test_what_fails_far_away(row: str, given: str) -> None:
     assert PROVED not in verdicts(row, given, 1_000_000)
 
 
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
+        ("4*x*(1 - x) <= (-x*log(x) - (1 - x)*log(1 - x))/log(2)", UNIT),
+        ("log(x) <= x^(1/10)*10/e", "2 <= x"),
+        ("log(x) <= 6*x^(1/6)/e", "1 < x"),
+    ],
+)
+def test_chords_from_an_end_without_values_and_powers_of_roots(row: str, given: str) -> None:
+    assert verdicts(row, given) == {PROVED}
+
+
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
+        ("4*x*(1 - x) <= 0.9999*(-x*log(x) - (1 - x)*log(1 - x))/log(2)", UNIT),
+        ("x*(1 - x)*1.01 <= -x*log(x)", UNIT),
+        ("log(x) <= 0.9999*x^(1/10)*10/e", "2 <= x"),
+    ],
+)
+def test_what_is_below_a_chord_or_a_root_somewhere(row: str, given: str) -> None:
+    assert PROVED not in verdicts(row, given, 1_000_000)
+
+
 def test_a_given_that_only_a_case_defines() -> None:
     page = """
 title = "t"

@@ -8,7 +8,7 @@ that enclosures decide. Estimates guide; each premise has a proof.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import partial
 from itertools import islice, pairwise, product
@@ -29,7 +29,7 @@ from verify.language.terms import (
     symbol,
 )
 from verify.prover.balls import float_of, fmpq_of, fraction_of
-from verify.prover.clearing import ROOTS, Clearing, TooLongError, coefficients
+from verify.prover.clearing import ROOTS, Clearing, TooLongError, coefficients, index_of
 from verify.prover.goal import Bounds
 from verify.prover.proof import Premise, Proof, Value, power_of, product_of, sum_of
 from verify.prover.rules import Cuts, Derivative, Have, InRange, Interval, Law, Monotony, Sum
@@ -59,6 +59,8 @@ LEAVES = 100
 BITS_AT_POINT = 64
 #: A difference below this part of the sides may be rounding.
 NOISE = 1e-11
+#: Where both sides are far from equal if they meet at a point between.
+NEAR_BY = 1 / 16
 #: Where to cut a range: at the first of these that lies in it and where both sides meet.
 _NUMERATORS = (0, 1, -1, 2, -2, 3, -3, 5, 10, 100)
 SIMPLE = tuple(Fraction(n, d) for d in (1, 2, 3, 4, 10) for n in _NUMERATORS)
@@ -149,10 +151,12 @@ class Growth:
         if any(part.op in FUNCTIONS for part in parts):
             if is_algebraic:
                 with self.question.budget.at_most(UNITS_FOR_ALGEBRA):
+                    found = found or self._by_factors(claim, bounds, lemmas=True)
                     found = found or self._algebraic(claim)
             found = found or self._isolated(claim, bounds, cuts, depth)
             found = found or self._cleared(claim, bounds, cuts, depth)
             found = found or self._grown(claim, bounds, cuts, depth)
+            found = found or self._divided(claim, bounds, cuts, depth)
         if is_algebraic:
             found = found or self._by_factors(claim, bounds, lemmas=True) or self._algebraic(claim)
         return found or self._cut(claim, bounds, cuts, depth)
@@ -287,6 +291,8 @@ class Growth:
 
     def _algebraic(self, claim: Claim) -> Proof | None:
         """What other techniques find where it holds in the whole context."""
+        if claim == self.goal.claim:
+            return None  # they are tried on it already
         gaps = [gap for _, gap in self._gaps(claim, self.goal.variables[self.name])]
         self.algebraic += 1
         if not gaps or min(gaps) < 0 or self.algebraic > MAX_ALGEBRAIC:
@@ -298,7 +304,10 @@ class Growth:
         is_negative = partial(self.known.is_negative, context=self.context)
         try:
             clearing = Clearing((claim.lhs, claim.rhs), {}, is_negative)
-            number, factors = clearing.difference(claim.rhs, claim.lhs).factor()
+            difference = clearing.difference(claim.rhs, claim.lhs)
+            number, factors = (
+                self._in_root(clearing, difference) if lemmas else difference
+            ).factor()
         except TooLongError:
             return None
         scale, values = fraction_of(number), list[Value]()
@@ -312,6 +321,16 @@ class Growth:
             else:
                 return None
         return Sum(("goal", product_of(str(scale), *values))) if scale > 0 else None
+
+    def _in_root(self, clearing: Clearing, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+        """The polynomial with a power of a root of the variable in its place."""
+        roots = (a for a in clearing.atoms if a.op in ROOTS and a.children[0] == self.x)
+        root = next(roots, None)
+        if root is None or self.x not in clearing.atoms:
+            return polynomial
+        ways = [*clearing.context.gens()]
+        ways[clearing.atoms.index(self.x)] = clearing.generators[root] ** index_of(root)
+        return polynomial.compose(*ways, ctx=clearing.context)
 
     def _signed(
         self,
@@ -465,7 +484,8 @@ class Growth:
     ) -> tuple[fmpq_mpoly, list[Value]]:
         """A polynomial divided by the powers of the variable and of exponentials in it.
 
-        With them the values of the facts that these powers are positive.
+        The same with what is linear in the variable, as 1 - x. With the polynomial the values of
+        the facts that these powers are positive.
         """
         values: list[Value] = []
         for index, atom in enumerate(clearing.atoms):
@@ -475,6 +495,13 @@ class Growth:
                 value, sign = found
                 polynomial = polynomial / clearing.context.gens()[index] ** power * sign**power
                 values.append(power_of(value, power))
+        for factor, power in polynomial.factor()[1] if len(polynomial) <= MAX_MONOMIALS else ():
+            if factor.total_degree() == 1 and len(factor) == 2:
+                signs = ((s, self._linear(clearing, factor * s, bounds, relation)) for s in (1, -1))
+                known = next(((s, value) for s, value in signs if value is not None), None)
+                if known is not None:
+                    polynomial = polynomial / factor**power * known[0] ** power
+                    values.append(power_of(known[1], power))
         return polynomial, values
 
     def _positive(self, atom: Term, bounds: Bounds, relation: str) -> tuple[Value, int] | None:
@@ -495,6 +522,38 @@ class Growth:
                 if relation in (end[2], "<="):
                     return fact, sign
         return None
+
+    def _divided(
+        self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...], depth: int
+    ) -> Proof | None:
+        """By the slope of chords from an end where both sides vanish, as x log x does at 0."""
+        for end, relation, sign in (
+            (bounds.low, bounds.low_relation, 1),
+            (bounds.high, bounds.high_relation, -1),
+        ):
+            if end is None or relation != "<" or not self._vanishes(claim, float_of(end), sign):
+                continue
+            distance = as_term(end) - self.x if sign < 0 else self.x - end if end else self.x
+            chord = (claim.rhs - claim.lhs) / distance
+            divided = Claim(claim.relation, ZERO, chord)
+            if not self.known.clears((chord,), self.context):
+                continue
+            proof = self._grown(divided, bounds, cuts, depth - 1)
+            if proof is not None:
+                return Have(divided, (proof, Sum(("goal", f"@{len(cuts) + 1}"))))
+        return None
+
+    def _vanishes(self, claim: Claim, end: float, sign: int) -> bool:
+        """Whether both sides seem to come together at an end where they have no values."""
+        values = estimates([self.name], [claim.lhs, claim.rhs], {})
+        gaps: list[float] = []
+        for distance in (2.0**-10, 2.0**-20, 0.0) if not self.others else ():
+            try:
+                low, high = values(end + sign * distance)
+                gaps.append(high - low)
+            except (ArithmeticError, ValueError, TypeError):
+                return distance == 0 and abs(gaps[1]) < abs(gaps[0]) / 100
+        return False
 
     # --- derivatives ----------------------------------------------------------------------------
 
@@ -633,14 +692,10 @@ class Growth:
             yield from inside[:1]
             return
         values = estimates([self.name], [claim.lhs, claim.rhs], {})
-        for number in inside:
-            try:
-                low, high = values(float_of(number))
-            except (ArithmeticError, ValueError):
-                continue
-            if abs(high - low) <= NOISE * (abs(low) + abs(high) + NOISE):
-                yield number
-                return
+        meeting = next((number for number in inside if _meets(values, float_of(number))), None)
+        if meeting is not None:
+            yield meeting
+            return
         changes = [*self._turns(claim, bounds)]
         yield from changes[:2]
         if bounds.ends is not None and not changes:
@@ -658,6 +713,18 @@ class Growth:
             if before * after < 0:
                 at = [x for x in meets if a < x < b]
                 yield Fraction(at[0]) if len(at) == 1 else _short((a + b) / 2, (b - a) / 8)
+
+
+def _meets(values: Callable[..., tuple[float, ...]], x: float) -> bool:
+    """Whether two sides seem to be equal at a point, and not near by."""
+    try:
+        low, high = values(x)
+        if abs(high - low) <= NOISE * (abs(low) + abs(high) + NOISE):
+            return True
+        around = [values(x + step) for step in (-NEAR_BY, NEAR_BY)]
+    except (ArithmeticError, ValueError, TypeError):
+        return False
+    return all(abs(high - low) <= NOISE * abs(b - a) for a, b in around)
 
 
 def _weaker(name: str, relation: str, wanted: str) -> Premise | None:

@@ -194,6 +194,10 @@ def by_powers(question: Question) -> Proof | None:
     return next(filter(None, found), None)
 
 
+#: Higher powers of functions are no simpler than roots.
+MAX_INDEX, FUNCTIONS = 4, ("exp", "log", "atan", "sin", "cos", "cos_pi")
+
+
 class Powers:
     """One claim, cleared."""
 
@@ -209,6 +213,9 @@ class Powers:
         inside = {a for atom in atoms for child in atom.children for a in atoms_of((child,), {})}
         for index, atom in enumerate(clearing.atoms):
             if atom.op not in ROOTS or atom in inside or atom not in atoms:
+                continue
+            moving = (a.op in FUNCTIONS and bool([*names_of(a)]) for a in atoms)
+            if index_of(atom) > MAX_INDEX and any(moving):
                 continue
             parts = coefficients(p, index)
             factor = parts.get(1)

@@ -360,15 +360,17 @@ class Growth:
         variables, addends = self._variables(bounds), list[Value]()
         least, is_strict = Fraction(0), False
         end: Fraction | None
+        fact: Value | None
         for monomial, value in polynomial.to_dict().items():
             number, degree = fraction_of(value), sum(monomial)
             if degree == 0:
                 least += number
                 continue
             atom = clearing.atoms[[*monomial].index(1)] if degree == 1 else ZERO
-            if atom.op == "exp" and number > 0:
+            if atom.op in ("exp", *ROOTS) and number > 0:
                 fact = self.known.fact(Claim("<", ZERO, atom), self.context)
-                end, strict = Fraction(0), True
+                end, strict = Fraction(0), fact is not None
+                fact = fact or (("root", atom) if atom.op in ROOTS else None)
             elif atom.op == "symbol" and atom.name in variables:
                 low, high, low_fact, high_fact, *relations = variables[atom.name]
                 end, fact = (low, low_fact) if number > 0 else (high, high_fact)

@@ -529,6 +529,8 @@ class Growth:
         self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...], depth: int
     ) -> Proof | None:
         """By the slope of chords from an end where both sides vanish, as x log x does at 0."""
+        if not self.clears or _has_divisor(claim):
+            return None
         for end, relation, sign in (
             (bounds.low, bounds.low_relation, 1),
             (bounds.high, bounds.high_relation, -1),

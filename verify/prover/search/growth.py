@@ -529,7 +529,7 @@ class Growth:
         self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...], depth: int
     ) -> Proof | None:
         """By the slope of chords from an end where both sides vanish, as x log x does at 0."""
-        if not self.clears or _has_divisor(claim):
+        if not self.clears or self.others or _has_divisor(claim):
             return None
         for end, relation, sign in (
             (bounds.low, bounds.low_relation, 1),
@@ -551,7 +551,7 @@ class Growth:
         """Whether both sides seem to come together at an end where they have no values."""
         values = estimates([self.name], [claim.lhs, claim.rhs], {})
         gaps: list[float] = []
-        for distance in (2.0**-10, 2.0**-20, 0.0) if not self.others else ():
+        for distance in (2.0**-10, 2.0**-20, 0.0):
             try:
                 low, high = values(end + sign * distance)
                 gaps.append(high - low)

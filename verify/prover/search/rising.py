@@ -194,12 +194,8 @@ def by_powers(question: Question) -> Proof | None:
     return next(filter(None, found), None)
 
 
-#: Higher powers of functions are no simpler than roots.
-MAX_INDEX, FUNCTIONS = 4, ("exp", "log", "atan", "sin", "cos", "cos_pi")
-
-
 class Powers:
-    """One claim, cleared."""
+    """One claim, cleared; of functions no powers above the fourth are taken."""
 
     def __init__(self, question: Question) -> None:
         self.question, self.clearing = question, question.clearing
@@ -211,13 +207,11 @@ class Powers:
         p = clearing.difference(claim.rhs, claim.lhs)
         atoms = [a for a, d in zip(clearing.atoms, p.degrees(), strict=True) if d > 0]
         inside = {a for atom in atoms for child in atom.children for a in atoms_of((child,), {})}
-        for index, atom in enumerate(clearing.atoms):
-            if atom.op not in ROOTS or atom in inside or atom not in atoms:
-                continue
-            moving = (a.op in FUNCTIONS and bool([*names_of(a)]) for a in atoms)
-            if index_of(atom) > MAX_INDEX and any(moving):
-                continue
-            parts = coefficients(p, index)
+        functions = {"exp", "log", "atan", "sin", "cos", "cos_pi"}
+        moves = any(a.op in functions and bool([*names_of(a)]) for a in atoms)
+        roots = (a for a in atoms if a.op in ROOTS and a not in inside)
+        for atom in (a for a in roots if index_of(a) <= 4 or not moves):
+            parts = coefficients(p, clearing.atoms.index(atom))
             factor = parts.get(1)
             if parts.keys() <= {0, 1} and factor is not None and factor.is_constant():
                 rest = parts.get(0, clearing.one - clearing.one)

@@ -119,12 +119,8 @@ SEARCHES = (
     ),
 )
 
-
 #: What takes most of the work, and is tried when nothing else is left.
 LAST = (Technique("sums of longer products", _from("linear", "by_products", degree=3)),)
-#: Those of them that use equations, which estimates do not look at.
-LAST_WITH_EQUATIONS = LAST
-
 
 ANYWHERE = Hint()
 #: The names of all techniques, which hints may have words of.
@@ -240,7 +236,7 @@ def _of_all_that_is_known(question: Question) -> Iterator[tuple[Question, tuple[
             if _is_small(asked) and asked.clears() and not asked.is_refuted():
                 yield asked, group
             elif group is LAST and asked is widened and asked.equations and asked.clears():
-                yield asked, LAST_WITH_EQUATIONS
+                yield asked, LAST  # estimates do not look at equations
 
 
 def _find_inverse_ranges(question: Question) -> bool:

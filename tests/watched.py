@@ -683,6 +683,11 @@ said(
 )
 said(
     P,
+    "a row `row.inverse` about 1/x",
+    by=coded("row.inverse 1/x", "verify/prover/parts.py", 'f"{row.name}.inverse"'),
+)
+said(
+    P,
     "as with `a != 0` and `1/a < b`, there are two contexts, with the rows `row.1` and `row.2`",
     by=coded(
         "a != 0 1/a < b row.1 row.2", "verify/wire/halves.py", 'name=f"{row.name}.{self.number}"'

@@ -122,6 +122,117 @@ def test_rows_are_shown_in_parts_of_their_contexts(row: str, given: str) -> None
     assert verdicts(row, given) == {PROVED}
 
 
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
+        ("(1 + 1/x)^x < e", "1 <= x"),
+        ("(1 - 1/x)^x <= 1/e", "1 < x"),
+        ("log(1 + 1/x) < 1/sqrt(x*(x + 1))", "1 <= x"),
+        ("log(1 - 1/x) < 1/sqrt(x*(x - 1))", "x < -1"),
+        ("x*log(x + 1) - x*log(x) < 1", "1 <= x"),
+        ("1 < sqrt(x^2 + 1)*(pi/2 - arctan(x))", "1 <= x"),
+    ],
+)
+def test_where_both_sides_come_together_far_away(row: str, given: str) -> None:
+    assert verdicts(row, given, 3_000_000) == {PROVED}
+
+
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
+        ("x^a <= 1 + a*(x - 1)", "0 < x; 0 <= a <= 1"),
+        ("exp(a*x) <= 1 + a*(exp(x) - 1)", "0 <= x; 0 <= a <= 1"),
+        ("cosh(x) <= exp(x^2/2)", ""),
+        ("(x + y)*log((x + y)/2) <= x*log(x) + y*log(y)", "0 < x; 0 < y"),
+        ("exp(x - x^2) <= 1/e*exp(1)", "1 < x"),
+        ("x*exp(-x) <= exp(-1)", "0 < x"),
+        ("exp(x*log(x))*(x + 1) <= exp((x + 1)*log(x + 1))", "1 <= x"),
+        ("x + 2 <= 2^(x + 1)", "1 <= x; x + 1 <= 2^x"),
+        ("1 + 1 <= exp(1*log(2)) + 0*x", ""),
+    ],
+)
+def test_convex_functions_and_their_tangents(row: str, given: str) -> None:
+    assert verdicts(row, given) == {PROVED}
+
+
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
+        ("x^a <= 1 + a*(x - 1)", "0 < x; 0 <= a <= 1.01"),
+        ("exp(a*x) <= 1 + a*(exp(x) - 1)", "-0.01 <= a <= 1"),
+        ("cosh(x) <= exp(0.499*x^2)", ""),
+        ("(x + y)*log((x + y)/2) <= x*log(x) + 0.999*y*log(y)", "1 < x; 1 < y"),
+        ("exp(x - x^2) <= 0.999", "1/2 < x"),
+        ("x + 3 <= 2^(x + 1)", "1 <= x; x + 1 <= 2^x"),
+    ],
+)
+def test_what_is_no_tangent(row: str, given: str) -> None:
+    assert PROVED not in verdicts(row, given, 1_000_000)
+
+
+@pytest.mark.parametrize(
+    "row",
+    [
+        "sin(x) + sin(2*x)/2 <= 3*sqrt(3)/4",
+        "sin(x)*cos(x)^2 <= 2*sqrt(3)/9",
+        "cos(x) + sqrt(3)*sin(x) <= 2",
+        "-1 - 3*sqrt(3)/4 <= sin(x) - cos(y) - sin(x)*cos(x)",
+    ],
+)
+def test_sines_that_are_sharp_where_they_are_no_rational_numbers(row: str) -> None:
+    assert verdicts(row, "") == {PROVED}
+
+
+@pytest.mark.parametrize(
+    "row",
+    [
+        "sin(x) + sin(2*x)/2 <= 1.299",
+        "sin(x)*cos(x)^2 < 2*sqrt(3)/9",
+        "cos(x) + sqrt(3)*sin(x) < 2",
+        "-1 - 3*sqrt(3)/4 <= sin(x) - 1.0001*cos(y) - sin(x)*cos(x)",
+    ],
+)
+def test_sines_beyond_what_is_sharp(row: str) -> None:
+    assert PROVED not in verdicts(row, "", 1_000_000)
+
+
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
+        ("(1 + 1/x)^x < 2.718281", "1 <= x"),
+        ("(1 - 1/x)^x <= 0.367879", "1 < x"),
+        ("log(1 + 1/x) < 1/sqrt(x*(x + 1)) - 1/(25*x^3)", "1 <= x"),
+        ("1.0001 < sqrt(x^2 + 1)*(pi/2 - arctan(x))", "1 <= x"),
+    ],
+)
+def test_what_fails_far_away(row: str, given: str) -> None:
+    assert PROVED not in verdicts(row, given, 1_000_000)
+
+
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
+        ("4*x*(1 - x) <= (-x*log(x) - (1 - x)*log(1 - x))/log(2)", UNIT),
+        ("log(x) <= x^(1/10)*10/e", "2 <= x"),
+        ("log(x) <= 6*x^(1/6)/e", "1 < x"),
+    ],
+)
+def test_chords_from_an_end_without_values_and_powers_of_roots(row: str, given: str) -> None:
+    assert verdicts(row, given) == {PROVED}
+
+
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [
+        ("4*x*(1 - x) <= 0.9999*(-x*log(x) - (1 - x)*log(1 - x))/log(2)", UNIT),
+        ("x*(1 - x)*1.01 <= -x*log(x)", UNIT),
+        ("log(x) <= 0.9999*x^(1/10)*10/e", "2 <= x"),
+    ],
+)
+def test_what_is_below_a_chord_or_a_root_somewhere(row: str, given: str) -> None:
+    assert PROVED not in verdicts(row, given, 1_000_000)
+
+
 def test_a_given_that_only_a_case_defines() -> None:
     page = """
 title = "t"
@@ -227,20 +338,22 @@ def test_names_of_a_page_that_are_like_those_of_cases(names: tuple[str, str, str
     assert {decision.verdict for _, decision in found.rows} == {PROVED}
 
 
-def test_contexts_of_a_page_that_are_called_like_parts() -> None:
-    page = """
+@pytest.mark.parametrize(("given", "other"), [("", "part1"), ("x > 0", "inverse")])
+def test_contexts_of_a_page_that_are_called_like_parts(given: str, other: str) -> None:
+    page = f"""
 title = "t"
 [contexts.c]
 variables = ["x"]
 given = ["x <= 5"]
-rows = { main = { claim = "x^2 + 1 > 0", by = "parts" } }
-[contexts."c.part1"]
+rows = {{ main = {{ claim = "x^2 + 1 > 0", by = "parts" }} }}
+[contexts."c.{other}"]
 variables = ["x"]
-rows = { p1 = "x^2 + 1 > 0" }
+given = {[given] if given else []}
+rows = {{ p1 = "x^2 + 1 > 0" }}
 [contexts."c.part2"]
 variables = ["x"]
-rows = { p2 = "x^2 + 1 > 0" }
-"""
+rows = {{ p2 = "x^2 + 1 > 0" }}
+""".replace("'", '"')
     found = decide_page(read_page_of("a.toml", page.encode(), {}), WorkBudget(WORK))
     reasons = {row.name: decision.reason for row, decision in found.rows}
     assert "Error" not in reasons["main"]

@@ -2,18 +2,21 @@
 
 In each part more is known: a divisor that is not 0 has a sign, an absolute value has no bars, and
 a range ends where both sides meet, even if that is no rational number. The parts are contexts of
-their own, with a row each, and the row itself follows from the two.
+their own, with a row each, and the row itself follows from the two. Where both sides come together
+far away there is one context, of the inverse of the variable.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import combinations
 
 from verify.language.record import Record
 from verify.language.statement import NEEDED, Context, Given, Obligation, Statement
 from verify.language.terms import (
+    FUNCTIONS,
     Claim,
     Term,
     as_term,
@@ -38,6 +41,8 @@ Proves = Callable[[Statement], bool]
 MAX_WAYS, MAX_DEPTH = 4, 2
 #: Points between the ends of a range, and where a difference is nearly 0, for sides of size 1.
 POINTS, NEAR = 60, 1e-6
+#: What is far away.
+FAR = (100.0, 1000.0, 10000.0)
 
 
 class Order(Record):
@@ -49,7 +54,7 @@ class Order(Record):
 
 
 class Parts(Record):
-    """Two contexts with a row each."""
+    """Contexts with a row each, from which a row follows."""
 
     contexts: tuple[Context, ...]
     rows: tuple[Obligation, ...]
@@ -73,8 +78,12 @@ def _shown(
     context = next(c for c in statement.contexts if c.name == row.context)
     if context.constants or any(given.kind != "plain" for given in context.givens):
         return None
-    for order in [one for one in _orders(context, row) if _is_news(context, one)][:MAX_WAYS]:
-        parts = _parts(statement, context, row, order, finds)
+    ways = [one for one in _orders(context, row) if _is_news(context, one)][:MAX_WAYS]
+    for order in (None, *ways):
+        if order is None:
+            parts = _inverse(statement, context, row, finds)
+        else:
+            parts = _parts(statement, context, row, order, finds)
         if parts is None:
             continue
         found: Statement | None = _with(statement, context, row, parts)
@@ -133,6 +142,75 @@ def _parts(
     return Parts(tuple(contexts), tuple(rows))
 
 
+def _inverse(statement: Statement, context: Context, row: Obligation, finds: Finds) -> Parts | None:
+    """The context of the inverse of a variable at whose far end both sides come together."""
+    name, claim = f"{context.name}.inverse", row.claim
+    taken = {c.name for c in statement.contexts}
+    if not isinstance(claim, Claim) or claim.relation == "=" or name in taken:
+        return None
+    from verify.prover.inverses import inverted  # loaded only where it is used
+
+    new = {v.name: symbol(f"{name}.{v.name}") for v in context.variables}
+    for x, sign in _far(context, claim):
+        rests = [g.claim for g in context.givens if x not in names_of(*g.claim.key[1:])]
+        ends = [g.claim for g in context.givens if g.claim not in rests]
+        found = inverted(claim, symbol(x), new[x], sign)
+        if found is None or not all(_is_end(end, x, sign) for end in ends):
+            continue
+        claims = [Claim("<", ZERO, new[x])]
+        for relation, lhs, rhs in (end.key for end in ends):
+            end = abs((lhs if sign > 0 else rhs).value)
+            claims += [Claim(relation, new[x], as_term(1 / end))] if end else []
+        claims += [substitute_claim(rest, new) for rest in rests]
+        givens = tuple(Given(f"{name}.{i}", one) for i, one in enumerate(claims))
+        variables = tuple(v._replace(name=f"{name}.{v.name}") for v in context.variables)
+        point = finds([v.name for v in variables], givens)
+        if point is None:
+            continue
+        says = f"{row.says or row.name}, for the inverse of {x}"
+        asked = Obligation(
+            f"{row.name}.inverse",
+            "",
+            "",
+            NEEDED,
+            says,
+            substitute_claim(found[0], new),
+            context=name,
+        )
+        return Parts((Context(name, variables, givens, point, context.parent),), (asked,))
+    return None
+
+
+def _is_end(claim: Claim, x: str, sign: int) -> bool:
+    """Whether the claim says that a variable is beyond a number, seen from 0."""
+    near, far = (claim.lhs, claim.rhs) if sign > 0 else (claim.rhs, claim.lhs)
+    good = claim.relation in ("<", "<=") and far == symbol(x) and near.op == "rational"
+    return good and (sign * near.value > 0 or (near.value == 0 and claim.relation == "<"))
+
+
+def _far(context: Context, claim: Claim) -> Iterator[tuple[str, int]]:
+    """Variables without an end, and the way there, on which both sides come together."""
+    names = sorted({*names_of(claim.lhs, claim.rhs)})
+    bounds = bounds_of(context)
+    if not any(part.op in FUNCTIONS for part in parts_of(claim.lhs, claim.rhs)):
+        return
+    if not all(name in bounds for name in names):
+        return
+    values = estimates(names, [claim.lhs, claim.rhs], {})
+    places = [next(_between(bounds[name])) for name in names]
+    for i, name in enumerate(names):
+        for sign, end in ((1, bounds[name].high), (-1, bounds[name].low)):
+            gaps = []
+            for x in FAR if end is None else ():
+                try:
+                    low, high = values(*places[:i], sign * x, *places[i + 1 :])
+                    gaps.append(abs(high - low) / (abs(low) + abs(high) + 1e-300))
+                except (ArithmeticError, ValueError, TypeError):
+                    break
+            if len(gaps) == len(FAR) and gaps[-1] < min(0.1, gaps[0] / 4):
+                yield name, sign
+
+
 # --- where to take a context apart ---------------------------------------------------------------
 
 
@@ -174,19 +252,22 @@ def names_in(order: Order) -> set[str]:
 
 
 def _meetings(context: Context, claim: Claim) -> Iterator[Order]:
-    """The variable and numbers at which both sides of a claim nearly meet."""
+    """Two variables, or the variable and numbers, at which both sides of a claim nearly meet."""
     names = sorted({*names_of(claim.lhs, claim.rhs)})
-    if claim.relation == "=" or len(names) not in (1, 2):
+    bounds = bounds_of(context)
+    if claim.relation == "=" or not all(name in bounds for name in names):
         return
-    if len(names) == 2:
-        if _meets_where_equal(context, claim, names):
-            yield Order(symbol(names[0]), symbol(names[1]))
-        return
-    (name,) = names
-    bounds = bounds_of(context).get(name)
-    if bounds is None:
-        return
-    values = estimates([name], [claim.lhs, claim.rhs], {})
+    if len(names) == 1:
+        yield from (Order(symbol(names[0]), n) for n in _numbers(bounds[names[0]], claim, names))
+    elif len(names) in (2, 3):
+        for pair in combinations(names, 2):
+            if _meets_where_equal(bounds, claim, [*pair, *(n for n in names if n not in pair)]):
+                yield Order(symbol(pair[0]), symbol(pair[1]))
+
+
+def _numbers(bounds: Bounds, claim: Claim, names: Sequence[str]) -> Iterator[Term]:
+    """The irrational numbers of simple form at which both sides nearly meet."""
+    values = estimates(names, [claim.lhs, claim.rhs], {})
 
     def gap(x: float) -> float:
         try:
@@ -202,18 +283,16 @@ def _meetings(context: Context, claim: Claim) -> Iterator[Order]:
             x = _least(gap, points[i - 1], points[i + 1])
             number = _number(x) if abs(gap(x)) < NEAR else None
             if number is not None:
-                yield Order(symbol(name), number)
+                yield number
 
 
-def _meets_where_equal(context: Context, claim: Claim, names: Sequence[str]) -> bool:
-    """Whether both sides seem to be equal wherever two variables are."""
-    bounds = bounds_of(context)
-    if not all(name in bounds for name in names):
-        return False
+def _meets_where_equal(bounds: Mapping[str, Bounds], claim: Claim, names: Sequence[str]) -> bool:
+    """Whether both sides seem to be equal wherever the first two variables are."""
     values, found = estimates(names, [claim.lhs, claim.rhs], {}), 0
-    for x in _between(bounds[names[0]]):
+    rest = [[*_between(bounds[name])] for name in names[2:]]
+    for i, x in enumerate(_between(bounds[names[0]])):
         try:
-            low, high = values(x, x)
+            low, high = values(x, x, *(points[i * 7 % len(points)] for points in rest))
         except (ArithmeticError, ValueError, TypeError):
             continue
         if abs(high - low) > NEAR * (abs(low) + abs(high) + NEAR):

@@ -52,6 +52,7 @@ FREE = (
     Technique("interval", _from("enclosures", "by_interval")),
 )
 PARTS = Technique("parts of a context", _from("parts", "by_parts"))
+INVERSES = Technique("inverses of variables", _from("inverses", "by_inverses"))
 LAWS = Technique("laws", _from("laws", "by_laws"))
 ELEMENTARY = Technique("elementary", _from("elementary", "by_elementary"))
 #: For equations.
@@ -92,9 +93,11 @@ TIDY = (SUMS, PRODUCTS, (NORMAL_FORM,))
 #: For claims that no estimate refutes.
 SEARCHES = (
     Technique("cosines", partial(_cosines, near=True)),
+    Technique("circles", _from("circles", "by_circles")),
     Technique("a small tree", _from("tree", "by_tree")),
     Technique("cosines", partial(_cosines, near=False)),
     Technique("definitions written out", _from("written_out", "by_definitions")),
+    Technique("logarithms of both sides", _from("rising", "by_logarithms")),
     Technique("growth", _from("growth", "by_growth")),
     LAWS,
     ELEMENTARY,
@@ -116,12 +119,8 @@ SEARCHES = (
     ),
 )
 
-
 #: What takes most of the work, and is tried when nothing else is left.
 LAST = (Technique("sums of longer products", _from("linear", "by_products", degree=3)),)
-#: Those of them that use equations, which estimates do not look at.
-LAST_WITH_EQUATIONS = LAST
-
 
 ANYWHERE = Hint()
 #: The names of all techniques, which hints may have words of.
@@ -185,8 +184,8 @@ def _nothing() -> None:
 def _stages(goal: Goal, known: Universal) -> Iterator[tuple[Question, tuple[Technique, ...]]]:
     """What is tried on which form of the goal; the next is looked at if nothing is found."""
     question = Question(goal, known)
-    if f"{goal.context}.part1" in known.contexts:
-        yield question, (PARTS,)
+    if known.contexts.keys() & {f"{goal.context}.part1", f"{goal.context}.inverse"}:
+        yield question, (PARTS, INVERSES)
     if goal.claim.relation == "=":
         yield from _of_equation(question)
         return
@@ -237,7 +236,7 @@ def _of_all_that_is_known(question: Question) -> Iterator[tuple[Question, tuple[
             if _is_small(asked) and asked.clears() and not asked.is_refuted():
                 yield asked, group
             elif group is LAST and asked is widened and asked.equations and asked.clears():
-                yield asked, LAST_WITH_EQUATIONS
+                yield asked, LAST  # estimates do not look at equations
 
 
 def _find_inverse_ranges(question: Question) -> bool:

@@ -221,7 +221,7 @@ class Universal:
 
     def _ground_fact(self, claim: Claim) -> str | None:
         verdict, proof = self.ground.prove(claim)
-        if verdict == UNDECIDED and claim.relation == "=":
+        if verdict == UNDECIDED and claim.relation != "<":
             verdict, proof = PROVED, self.prove(self.goal(claim, None))
         return self.session.lemma(claim, proof) if verdict == PROVED and proof else None
 

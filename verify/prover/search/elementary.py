@@ -346,7 +346,7 @@ class Normal:
         rest = clearing.difference(claim.lhs, claim.rhs)
         equations = []
         for generator, law in zip(self.generators, laws, strict=True):
-            rest, factor = _without_squares(rest, clearing, generator)
+            rest, factor = without_squares(rest, clearing, sin(generator), cos(generator))
             if not factor.is_zero():
                 equations.append((law, clearing.term(factor)))
         if not clearing.reduce(rest).is_zero():
@@ -361,14 +361,16 @@ def _is_ground_cosine(atom: Term) -> bool:
     return atom.op == "cos_pi" and atom.children[0].op == "rational"
 
 
-def _without_squares(
-    p: fmpq_mpoly, clearing: Clearing, generator: Term
+def without_squares(
+    p: fmpq_mpoly, clearing: Clearing, sine: Term, cosine: Term
 ) -> tuple[fmpq_mpoly, fmpq_mpoly]:
-    """The polynomial with 1 - cos^2 for sin^2, and what it is less by, over sin^2 + cos^2 - 1."""
+    """The polynomial with 1 - cos^2 for sin^2, and what it is less by, over sin^2 + cos^2 - 1.
+
+    Sine and cosine may be exchanged.
+    """
     ring = clearing.context
-    s = clearing.generators[sin(generator)]
-    c = clearing.generators[cos(generator)]
-    index = clearing.atoms.index(sin(generator))
+    s, c = clearing.generators[sine], clearing.generators[cosine]
+    index = clearing.atoms.index(sine)
     factor = ring.constant(0)
     parts = coefficients(p, index)
     for power in range(max(parts, default=0), 1, -1):

@@ -8,7 +8,7 @@ that enclosures decide. Estimates guide; each premise has a proof.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import partial
 from itertools import islice, pairwise, product
@@ -29,9 +29,9 @@ from verify.language.terms import (
     symbol,
 )
 from verify.prover.balls import float_of, fmpq_of, fraction_of
-from verify.prover.clearing import ROOTS, Clearing, TooLongError, coefficients
+from verify.prover.clearing import ROOTS, Clearing, TooLongError, coefficients, index_of
 from verify.prover.goal import Bounds
-from verify.prover.proof import Premise, Proof, Value, power_of, product_of
+from verify.prover.proof import Premise, Proof, Value, power_of, product_of, sum_of
 from verify.prover.rules import Cuts, Derivative, Have, InRange, Interval, Law, Monotony, Sum
 from verify.prover.search.bernstein_boxes import on_interval
 from verify.prover.search.compiled import estimates
@@ -59,6 +59,8 @@ LEAVES = 100
 BITS_AT_POINT = 64
 #: A difference below this part of the sides may be rounding.
 NOISE = 1e-11
+#: Where both sides are far from equal if they meet at a point between.
+NEAR_BY = 1 / 16
 #: Where to cut a range: at the first of these that lies in it and where both sides meet.
 _NUMERATORS = (0, 1, -1, 2, -2, 3, -3, 5, 10, 100)
 SIMPLE = tuple(Fraction(n, d) for d in (1, 2, 3, 4, 10) for n in _NUMERATORS)
@@ -79,6 +81,8 @@ def by_growth(question: Question) -> Proof | None:
         return None
     if goal.claim.relation not in ("<", "<=") or goal.claim.lhs == ZERO == goal.claim.rhs:
         return None
+    pairs = [{*names_of(g.claim.lhs, g.claim.rhs)} for g in known.contexts[goal.context].givens]
+    names.sort(key=lambda name: not any(name in pair and len(pair) > 1 for pair in pairs))
     searches = [Growth(question, name, clears) for clears in (False, True) for name in names]
     found = (s.prove(goal.claim, goal.variables[s.name], (), MAX_DEPTH) for s in searches)
     proof = next(filter(None, found), None)
@@ -140,19 +144,21 @@ class Growth:
         if not self.known.clears((claim.lhs, claim.rhs), self.context):
             return None
         touches = min(gap for _, gap in gaps) < 1e-3
-        found = self._simple(claim, bounds, cuts)
+        found = self._simple(claim, bounds, cuts) or self._by_factors(claim, bounds)
         found = found or (None if touches else self._tree(claim, bounds, cuts))
         parts = [*parts_of(claim.lhs, claim.rhs)]
         is_algebraic = not any(map(self._moves, parts))
         if any(part.op in FUNCTIONS for part in parts):
             if is_algebraic:
                 with self.question.budget.at_most(UNITS_FOR_ALGEBRA):
+                    found = found or self._by_factors(claim, bounds, lemmas=True)
                     found = found or self._algebraic(claim)
             found = found or self._isolated(claim, bounds, cuts, depth)
             found = found or self._cleared(claim, bounds, cuts, depth)
             found = found or self._grown(claim, bounds, cuts, depth)
+            found = found or self._divided(claim, bounds, cuts, depth)
         if is_algebraic:
-            found = found or self._algebraic(claim)
+            found = found or self._by_factors(claim, bounds, lemmas=True) or self._algebraic(claim)
         return found or self._cut(claim, bounds, cuts, depth)
 
     def _moves(self, part: Term) -> bool:
@@ -285,11 +291,99 @@ class Growth:
 
     def _algebraic(self, claim: Claim) -> Proof | None:
         """What other techniques find where it holds in the whole context."""
+        if claim == self.goal.claim:
+            return None  # they are tried on it already
         gaps = [gap for _, gap in self._gaps(claim, self.goal.variables[self.name])]
         self.algebraic += 1
         if not gaps or min(gaps) < 0 or self.algebraic > MAX_ALGEBRAIC:
             return None
         return self.known.prove(self.goal._replace(claim=claim))
+
+    def _by_factors(self, claim: Claim, bounds: Bounds, *, lemmas: bool = False) -> Proof | None:
+        """A product of factors whose signs bounds show, or lemmas."""
+        is_negative = partial(self.known.is_negative, context=self.context)
+        try:
+            clearing = Clearing((claim.lhs, claim.rhs), {}, is_negative)
+            difference = clearing.difference(claim.rhs, claim.lhs)
+            number, factors = (
+                self._in_root(clearing, difference) if lemmas else difference
+            ).factor()
+        except TooLongError:
+            return None
+        scale, values = fraction_of(number), list[Value]()
+        for factor, power in factors:
+            signed = self._signed(clearing, factor, bounds, claim.relation, lemmas=lemmas)
+            if signed is not None:
+                values.append(power_of(signed[0], power))
+                scale *= signed[1] ** power
+            elif power % 2 == 0 and claim.relation == "<=":
+                values.append(power_of(("square", clearing.term(factor)), power // 2))
+            else:
+                return None
+        return Sum(("goal", product_of(str(scale), *values))) if scale > 0 else None
+
+    def _in_root(self, clearing: Clearing, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+        """The polynomial with a power of a root of the variable in its place."""
+        roots = (a for a in clearing.atoms if a.op in ROOTS and a.children[0] == self.x)
+        root = next(roots, None)
+        if root is None or self.x not in clearing.atoms:
+            return polynomial
+        ways = [*clearing.context.gens()]
+        ways[clearing.atoms.index(self.x)] = clearing.generators[root] ** index_of(root)
+        return polynomial.compose(*ways, ctx=clearing.context)
+
+    def _signed(
+        self,
+        clearing: Clearing,
+        factor: fmpq_mpoly,
+        bounds: Bounds,
+        relation: str,
+        *,
+        lemmas: bool,
+    ) -> tuple[Value, int] | None:
+        """The value of a factor or, with the sign -1, of its opposite."""
+        for sign in (1, -1):
+            found = self._linear(clearing, factor * sign, bounds, relation)
+            if found is not None:
+                return found, sign
+        for sign in (1, -1):
+            claim = Claim(relation, ZERO, clearing.term(factor * sign))
+            if lemmas and self._sign(claim.rhs, self.goal.variables[self.name]) == 1:
+                name = self.question.fact(claim)
+                return None if name is None else (name, sign)
+        return None
+
+    def _linear(
+        self, clearing: Clearing, polynomial: fmpq_mpoly, bounds: Bounds, relation: str
+    ) -> Value | None:
+        """The value of a sum of multiples of variables, by their bounds, or of an exponential."""
+        variables, addends = self._variables(bounds), list[Value]()
+        least, is_strict = Fraction(0), False
+        end: Fraction | None
+        fact: Value | None
+        for monomial, value in polynomial.to_dict().items():
+            number, degree = fraction_of(value), sum(monomial)
+            if degree == 0:
+                least += number
+                continue
+            atom = clearing.atoms[[*monomial].index(1)] if degree == 1 else ZERO
+            if atom.op in ("exp", *ROOTS) and number > 0:
+                fact = self.known.fact(Claim("<", ZERO, atom), self.context)
+                end, strict = Fraction(0), fact is not None
+                fact = fact or (("root", atom) if atom.op in ROOTS else None)
+            elif atom.op == "symbol" and atom.name in variables:
+                low, high, low_fact, high_fact, *relations = variables[atom.name]
+                end, fact = (low, low_fact) if number > 0 else (high, high_fact)
+                strict = relations[number < 0] == "<"
+            else:
+                return None
+            if end is None or fact is None:
+                return None
+            addends.append(product_of(str(abs(number)), fact))
+            least, is_strict = least + number * end, is_strict or strict
+        if least < 0 or (relation == "<" and least == 0 and not is_strict):
+            return None
+        return sum_of(*addends, *([str(least)] if least else [])) if addends else None
 
     def _tree(self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...]) -> Proof | None:
         variables = self._variables(bounds)
@@ -392,7 +486,8 @@ class Growth:
     ) -> tuple[fmpq_mpoly, list[Value]]:
         """A polynomial divided by the powers of the variable and of exponentials in it.
 
-        With them the values of the facts that these powers are positive.
+        The same with what is linear in the variable, as 1 - x. With the polynomial the values of
+        the facts that these powers are positive.
         """
         values: list[Value] = []
         for index, atom in enumerate(clearing.atoms):
@@ -402,6 +497,13 @@ class Growth:
                 value, sign = found
                 polynomial = polynomial / clearing.context.gens()[index] ** power * sign**power
                 values.append(power_of(value, power))
+        for factor, power in polynomial.factor()[1] if len(polynomial) <= MAX_MONOMIALS else ():
+            if factor.total_degree() == 1 and len(factor) == 2:
+                signs = ((s, self._linear(clearing, factor * s, bounds, relation)) for s in (1, -1))
+                known = next(((s, value) for s, value in signs if value is not None), None)
+                if known is not None:
+                    polynomial = polynomial / factor**power * known[0] ** power
+                    values.append(power_of(known[1], power))
         return polynomial, values
 
     def _positive(self, atom: Term, bounds: Bounds, relation: str) -> tuple[Value, int] | None:
@@ -422,6 +524,40 @@ class Growth:
                 if relation in (end[2], "<="):
                     return fact, sign
         return None
+
+    def _divided(
+        self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...], depth: int
+    ) -> Proof | None:
+        """By the slope of chords from an end where both sides vanish, as x log x does at 0."""
+        if not self.clears or self.others or _has_divisor(claim):
+            return None
+        for end, relation, sign in (
+            (bounds.low, bounds.low_relation, 1),
+            (bounds.high, bounds.high_relation, -1),
+        ):
+            if end is None or relation != "<" or not self._vanishes(claim, float_of(end), sign):
+                continue
+            distance = as_term(end) - self.x if sign < 0 else self.x - end if end else self.x
+            chord = (claim.rhs - claim.lhs) / distance
+            divided = Claim(claim.relation, ZERO, chord)
+            if not self.known.clears((chord,), self.context):
+                continue
+            proof = self._grown(divided, bounds, cuts, depth - 1)
+            if proof is not None:
+                return Have(divided, (proof, Sum(("goal", f"@{len(cuts) + 1}"))))
+        return None
+
+    def _vanishes(self, claim: Claim, end: float, sign: int) -> bool:
+        """Whether both sides seem to come together at an end where they have no values."""
+        values = estimates([self.name], [claim.lhs, claim.rhs], {})
+        gaps: list[float] = []
+        for distance in (2.0**-10, 2.0**-20, 0.0):
+            try:
+                low, high = values(end + sign * distance)
+                gaps.append(high - low)
+            except (ArithmeticError, ValueError, TypeError):
+                return distance == 0 and abs(gaps[1]) < abs(gaps[0]) / 100
+        return False
 
     # --- derivatives ----------------------------------------------------------------------------
 
@@ -560,14 +696,10 @@ class Growth:
             yield from inside[:1]
             return
         values = estimates([self.name], [claim.lhs, claim.rhs], {})
-        for number in inside:
-            try:
-                low, high = values(float_of(number))
-            except (ArithmeticError, ValueError):
-                continue
-            if abs(high - low) <= NOISE * (abs(low) + abs(high) + NOISE):
-                yield number
-                return
+        meeting = next((number for number in inside if _meets(values, float_of(number))), None)
+        if meeting is not None:
+            yield meeting
+            return
         changes = [*self._turns(claim, bounds)]
         yield from changes[:2]
         if bounds.ends is not None and not changes:
@@ -585,6 +717,18 @@ class Growth:
             if before * after < 0:
                 at = [x for x in meets if a < x < b]
                 yield Fraction(at[0]) if len(at) == 1 else _short((a + b) / 2, (b - a) / 8)
+
+
+def _meets(values: Callable[..., tuple[float, ...]], x: float) -> bool:
+    """Whether two sides seem to be equal at a point, and not near by."""
+    try:
+        low, high = values(x)
+        if abs(high - low) <= NOISE * (abs(low) + abs(high) + NOISE):
+            return True
+        around = [values(x + step) for step in (-NEAR_BY, NEAR_BY)]
+    except (ArithmeticError, ValueError, TypeError):
+        return False
+    return all(abs(high - low) <= NOISE * abs(b - a) for a, b in around)
 
 
 def _weaker(name: str, relation: str, wanted: str) -> Premise | None:

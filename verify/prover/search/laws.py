@@ -104,6 +104,7 @@ class Laws:
         self.session, self.place = question.session, question.goal.context
         self.used: dict[str, None] = {}
         self.keeps_exponentials = False
+        self._given: dict[tuple[Term, Fraction], Term] | None = None
 
     def fact(self, claim: Claim) -> str | None:
         """The name of a claim that is proved now."""
@@ -152,7 +153,9 @@ class Laws:
             steps[part] = -step if all(f < 0 for f in factors) else step
         chosen = {}
         for atom, found in sums.items():
-            powers = {step_of(part, steps[part]): int(f / steps[part]) for part, f in found.items()}
+            powers = {
+                self._written(part, steps[part]): int(f / steps[part]) for part, f in found.items()
+            }
             if sum(map(abs, powers.values())) > MAX_FACTORS:
                 continue
             if powers == {atom.children[0]: 1} and self._plain(atom) == atom:
@@ -162,6 +165,17 @@ class Laws:
             if is_short and self.clears(atom, *inner):
                 chosen[atom] = self._product(atom, powers)
         return chosen
+
+    def _written(self, part: Term, step: Fraction) -> Term:
+        """A multiple of a term, as it is written in an exponential that is given."""
+        if self._given is None:
+            self._given = {}
+            sides = (side for given in self.question.givens() for side in given.claim.key[1:])
+            for atom in parts_of(*sides):
+                found = linear_parts(atom.children[0]) if atom.op == "exp" else None
+                if found is not None and len(found) == 1:
+                    self._given.setdefault(next(iter(found.items())), atom.children[0])
+        return self._given.get((part, step), step_of(part, step))
 
     def _product(self, atom: Term, powers: Powers) -> Term:
         """The product that an exponential is."""

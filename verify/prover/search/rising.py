@@ -17,7 +17,7 @@ from math import comb
 from flint import fmpq_mpoly
 
 from verify.language.fold import replaced
-from verify.language.terms import Claim, Term, as_term, equal, names_of
+from verify.language.terms import Claim, Term, as_term, equal, exp, log, names_of, parts_of
 from verify.prover.balls import fmpq_of, fraction_of
 from verify.prover.clearing import ROOTS, Clearing, TooLongError, atoms_of, coefficients, index_of
 from verify.prover.proof import Proof, Value, power_of, product_of
@@ -52,11 +52,84 @@ def by_monotony(question: Question) -> Proof | None:
 
 
 def _valued(side: Term, other: Term) -> Term:
-    """The side, or for 1 beside an exponential (and the like) the same function of a number."""
+    """The side, or for 1 beside an exponential (and the like) the same function of a number.
+
+    Beside an exponential a product or quotient of others is an exponential, too.
+    """
     value, at = VALUES.get(other.op, (None, 0))
+    if other.op == "exp" and side.op in ("mul", "div", "pow"):
+        found = _exponential(side)
+        is_other = found is not None and found[0] == as_term(1) and found[1] not in parts_of(side)
+        return found[1] if found is not None and is_other else side
     if side.op != "rational" or side.value != value or not names_of(other):
         return side
     return Term(other.op, as_term(at))
+
+
+def _exponential(product: Term) -> tuple[Term, Term] | None:
+    """What stands before the exponential in a product with exponentials, and this one.
+
+    None if there is no exponential, or another one in what stands before it.
+    """
+    try:
+        clearing = Clearing((product,), {})
+        parts = [*clearing.clear(product)]
+    except TooLongError:
+        return None
+    total: Term | None = None
+    for index, atom in enumerate(clearing.atoms):
+        if atom.op != "exp":
+            continue
+        for i, sign in ((0, 1), (1, -1)):
+            powers = coefficients(parts[i], index)
+            if len(powers) != 1:
+                return None
+            (power,) = powers
+            if power:
+                parts[i] = powers[power]
+                exponent = _times(sign * power, atom.children[0])
+                total = exponent if total is None else total + exponent
+    if total is None:
+        return None
+    above, below = map(clearing.term, parts)
+    return (above if below == as_term(1) else above / below), exp(total)
+
+
+def _times(number: int, term: Term) -> Term:
+    return term if number == 1 else -term if number == -1 else as_term(number) * term
+
+
+def _logarithm(side: Term) -> Term | None:
+    """The logarithm of a product with exponentials."""
+    found = _exponential(side)
+    if found is None:
+        return None
+    exponent: Term = found[1].children[0]
+    return exponent if found[0] == as_term(1) else log(found[0]) + exponent
+
+
+def by_logarithms(question: Question) -> Proof | None:
+    """One side is a product with an exponential, and both are positive."""
+    claim, known, place = question.plain.claim, question.known, question.goal.context
+    if claim.relation not in ("<", "<="):
+        return None
+    sides = (claim.lhs, claim.rhs)
+    if all((pair := _exponential(side)) and pair[0] == as_term(1) for side in sides):
+        return None  # monotony compares these
+    found = [_logarithm(side) for side in sides]
+    is_moving = [any(part.op == "exp" and [*names_of(part)] for part in parts_of(s)) for s in sides]
+    wanted = [log(side) if f is None else f for side, f in zip(sides, found, strict=True)]
+    if all(f is None or not moves for f, moves in zip(found, is_moving, strict=True)):
+        return None
+    if not known.clears((*map(log, sides), *wanted), place):
+        return None
+    fact = question.fact(Claim(claim.relation, *wanted))
+    if fact is None:
+        return None
+    pairs = [(log(side), f) for side, f in zip(sides, wanted, strict=True) if log(side) != f]
+    laws = [question.fact(equal(*pair)) for pair in pairs]
+    using = tuple(law for law in laws if law is not None)
+    return Monotony(Sum(("goal", fact), using), "log") if len(using) == len(laws) else None
 
 
 def by_same_arguments(question: Question) -> Proof | None:
@@ -122,7 +195,7 @@ def by_powers(question: Question) -> Proof | None:
 
 
 class Powers:
-    """One claim, cleared."""
+    """One claim, cleared; of functions no powers above the fourth are taken."""
 
     def __init__(self, question: Question) -> None:
         self.question, self.clearing = question, question.clearing
@@ -134,10 +207,11 @@ class Powers:
         p = clearing.difference(claim.rhs, claim.lhs)
         atoms = [a for a, d in zip(clearing.atoms, p.degrees(), strict=True) if d > 0]
         inside = {a for atom in atoms for child in atom.children for a in atoms_of((child,), {})}
-        for index, atom in enumerate(clearing.atoms):
-            if atom.op not in ROOTS or atom in inside or atom not in atoms:
-                continue
-            parts = coefficients(p, index)
+        functions = {"exp", "log", "atan", "sin", "cos", "cos_pi"}
+        moves = any(a.op in functions and bool([*names_of(a)]) for a in atoms)
+        roots = (a for a in atoms if a.op in ROOTS and a not in inside)
+        for atom in (a for a in roots if index_of(a) <= 4 or not moves):
+            parts = coefficients(p, clearing.atoms.index(atom))
             factor = parts.get(1)
             if parts.keys() <= {0, 1} and factor is not None and factor.is_constant():
                 rest = parts.get(0, clearing.one - clearing.one)

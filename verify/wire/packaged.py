@@ -29,6 +29,8 @@ PACKAGED_FILES = {
 }
 #: How much work the checker counts for each of them.
 WORK = {name: int(work) for name, _, _, work in _lines("certificate")}
+#: What is compiled of a page, with its digest.
+COMPILED_PAGES = dict(_lines("compiled"))
 #: The pages of the paper: which of these each has become, and the digest of its text then.
 PAGES = {page: (name, digest) for page, name, digest in _lines("page")}
 

@@ -17,7 +17,7 @@ from verify.language.terms import Claim
 from verify.paper.parameters import HYPOTHESES, PRINTED, REPAIRED
 from verify.publication import Cause, Change, Remark
 from verify.wire.compiled import Compiled, Kept, read_compiled
-from verify.wire.packaged import COMPILED_PAGES, PACKAGED
+from verify.wire.packaged import PACKAGED, recorded
 
 #: The page, and what is compiled of it.
 PAGE = os.path.join(os.path.dirname(__file__), "theorem1.toml")
@@ -102,7 +102,7 @@ def _at_hand(content: bytes) -> Compiled | None:
             lines = file.read()
     except FileNotFoundError:
         return None
-    if sha256(lines).hexdigest() != COMPILED_PAGES.get("theorem1.txt"):
+    if sha256(lines).hexdigest() != dict(recorded("compiled")).get("theorem1.txt"):
         return None
     return read_compiled(lines.decode(), content)
 

@@ -38,11 +38,13 @@ class RecallingGround(Ground):
         super().__init__(session, start_bits, max_bits)
         self._kept = kept
 
-    def _decide_tight(self, claim: Claim, bits: int) -> tuple[str, Proof] | None:
-        found = self._kept.get(claim)
-        if found and all(self.compare(need, bits) == PROVED for need in found.needs):
+    def _prove(self, claim: Claim) -> tuple[str, Proof | None]:
+        found, bits = self._kept.get(claim), self.start_bits
+        claims = (claim, *found.needs) if found else ()
+        verdicts = [self.compare(one, bits) for one in claims]
+        if found and verdicts == [None, *(PROVED for _ in found.needs)]:
             return found.verdict, Recalled(found.needs)
-        return super()._decide_tight(claim, bits)
+        return super()._prove(claim)
 
 
 class PointRun:
@@ -73,9 +75,14 @@ class PointRun:
         parts = theorem().parts
         self._decide(parts[HYPOTHESES].obligations)
         if self._hypotheses_hold() and self._define(theorem().common):
+            rows: tuple[Obligation, ...] = ()
             for group in SELECTIONS[self.selection]:
                 if self._define(parts[group].constants):
-                    self._decide(self._asked(parts[group].obligations))
+                    rows += self._asked(parts[group].obligations)
+                if self.all_sides:  # a certificate has a set's rows behind its constants
+                    self._decide(rows)
+                    rows = ()
+            self._decide(rows)
         return self._outcome()
 
     def _hypotheses_hold(self) -> bool:

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
-from typing import Any
 
 from verify.language.fold import fails, holds
+from verify.language.record import Any
 from verify.language.statement import PROVED, REFUTED, Constant
 from verify.language.terms import Claim, Term, as_term, parts_of
 from verify.prover import balls

@@ -11,9 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from operator import attrgetter
-from typing import Any
 
-from verify.language.record import TYPE_CHECKING, Record
+from verify.language.record import TYPE_CHECKING, Any, Record
 from verify.language.statement import (
     NEEDED,
     PRINTED,

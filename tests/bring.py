@@ -19,6 +19,7 @@ from pathlib import Path
 
 from verify import check
 from verify.paper.commands import index
+from verify.paper.commands.kept import kept
 from verify.paper.commands.pages import decide, whole
 from verify.paper.commands.places import places
 from verify.paper.parameters import AS_PRINTED
@@ -54,11 +55,13 @@ def files() -> Iterator[tuple[Path, bytes]]:
         if here.exists() and any(made[f] != (here / f).read_bytes() for f in PACKAGED_FILES[name]):
             raise SystemExit(f"verify/paper/{page}.toml has changed: run `verify certify` first")
         code = code.replace(old, sha256(whole(page)).hexdigest())
-    yield Path(DIGESTS), code.encode()
     for path in (*(ROOT / "certificates/examples").glob("*.toml"), *SCENES.glob("*.toml")):
         yield Path(PACKAGED, "examples", path.name), path.read_bytes()
     page_of_theorem = Path(PAGE).read_bytes()
-    yield Path(COMPILED), compiled(as_read(page_of_theorem), page_of_theorem).encode()
+    text = compiled(as_read(page_of_theorem)._replace(kept=kept()), page_of_theorem).encode()
+    yield Path(COMPILED), text
+    compiled_line = f"compiled theorem1.txt {sha256(text).hexdigest()}"
+    yield Path(DIGESTS), re.sub("(?m)^compiled theorem1.txt .*$", compiled_line, code).encode()
     yield Path(index.INDEX), index.text(places()).encode()
 
 

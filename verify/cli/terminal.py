@@ -19,9 +19,7 @@ NARROWEST = 24
 ROOMY = 60
 
 #: What moves the cursor, ends a line or turns the direction of letters instead of being printed.
-_CONTROL = re.compile(
-    r"[\x00-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
-)
+_CONTROL = r"[\x00-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
 
 #: Symbol and colour (of the 16 that every terminal has): a yes, a no, and what is left open.
 _YES, _NO, _OPEN = ("✓", "32"), ("✗", "31"), ("?", "33")
@@ -51,7 +49,7 @@ def show(lines: Iterable[str], options: Options, *, records: bool = False) -> No
     printed cannot make a line of its own, or steer the terminal.
     """
     erase()
-    lines = map(_as_one_line, lines)
+    lines = (_as_one_line(line.replace("\n", " ")) for line in lines)
     when = options.color or "auto"
     terminal = sys.stdout.isatty()
     symbols = terminal or when == "always"
@@ -66,7 +64,7 @@ def show(lines: Iterable[str], options: Options, *, records: bool = False) -> No
 
 
 def _as_one_line(line: str) -> str:
-    return _CONTROL.sub(lambda sign: ascii(sign[0])[1:-1], line.replace("\n", " "))
+    return line if line.isprintable() else re.sub(_CONTROL, lambda m: ascii(m[0])[1:-1], line)
 
 
 def is_watched() -> bool:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 from verify.cli.options import CERTIFICATE, CHOICES, COLOR, JSON, ROWS, Options, Usage, leave_out
 from verify.cli.terminal import show
 from verify.cli.theorem1_point import DEFAULTS
+from verify.language.record import Any
 from verify.paper.commands.citing import as_printed
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.parameters import SELECTIONS

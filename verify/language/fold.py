@@ -9,9 +9,8 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import partial
 from operator import le, lt
-from typing import Any, TypeVar
 
-from verify.language.record import Record
+from verify.language.record import Any, Record, TypeVar
 from verify.language.terms import OPERATIONS, Claim, Term
 
 Value = TypeVar("Value")

@@ -1,4 +1,4 @@
-"""Records: tuples whose entries have names.
+"""Records: tuples whose entries have names; and what annotations need, for all modules.
 
 They are what `typing.NamedTuple` makes, and a type checker is told so. That compiles a constructor
 for each class; the program has some fifty classes, and a process that decides one point would
@@ -8,15 +8,21 @@ spend more time on making them than on all its intervals.
 from __future__ import annotations
 
 from operator import itemgetter
+from types import GenericAlias
 
-#: False when the program runs, and true for a type checker: `typing` is not loaded.
+#: False when the program runs: it does not load `typing`, of which names below take the place.
 TYPE_CHECKING = False
 
-__all__ = ["TYPE_CHECKING", "Record"]
+__all__ = ["TYPE_CHECKING", "Annotated", "Any", "Protocol", "Record", "TypeVar"]
 
 if TYPE_CHECKING:
+    from typing import Annotated, Any, Protocol, TypeVar
     from typing import NamedTuple as Record
 else:
+    Any = Protocol = object
+    TypeVar = lambda name, **_bound: name  # noqa: E731
+    #: A type with what is told of it, which `verify.prover.proof` reads.
+    Annotated = type("Annotated", (), {"__class_getitem__": classmethod(GenericAlias)})
 
     class _Fields(type):
         """Makes the annotations in the body of a class the names of the entries, in that order.

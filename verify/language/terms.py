@@ -11,12 +11,9 @@ from fractions import Fraction
 from functools import reduce
 from math import prod
 
-from verify.language.record import TYPE_CHECKING
+from verify.language.record import Any, TypeVar
 
-if TYPE_CHECKING:
-    from typing import Any, TypeVar
-
-    Part = TypeVar("Part")
+Part = TypeVar("Part")
 
 RELATIONS = ("<", "<=", "=")
 

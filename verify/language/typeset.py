@@ -33,12 +33,12 @@ LONG = "(long: see the statement file)"
 _BINARY = ("add", "sub", "mul", "div")
 
 _SPELLED = ((r"\cdot", "·"), (r"\sqrt", "√"), ("−", "-"))
-_BRACKETS = re.compile(r"\([^()]*\)|\{[^{}]*\}|\|[^|]*\|")
+_BRACKETS = r"\([^()]*\)|\{[^{}]*\}|\|[^|]*\|"
 #: A function of what follows, or signs of a sum behind the first.
-_OF_A_SUM = re.compile(r"(?<![A-Za-z])(?:cos|sin|tan|exp|log|ln)(?![A-Za-z])|.[-+]")
+_OF_A_SUM = r"(?<![A-Za-z])(?:cos|sin|tan|exp|log|ln)(?![A-Za-z])|.[-+]"
 #: Signs of a product, and what stands beside another without one.
-_OF_A_PRODUCT = re.compile(r"[/·]|.\*\w|[⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ][^\W\d_]|^[0-9]+[^\W\d]")
-_OF_A_POWER = re.compile(r"[⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ]|^√")
+_OF_A_PRODUCT = r"[/·]|.\*\w|[⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ][^\W\d_]|^[0-9]+[^\W\d]"
+_OF_A_POWER = r"[⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ]|^√"
 
 
 #: A longer letter is taken for a sum.
@@ -58,14 +58,14 @@ def level_of(letter: str) -> int:
         letter = letter.replace(sign, other)
     rest, before = letter, ""
     while rest != before:
-        rest, before = _BRACKETS.sub("x", rest), rest
+        rest, before = re.sub(_BRACKETS, "x", rest), rest
     is_power = "^" in rest
     rest = re.sub(r"[\^_].", "", rest)
-    if _OF_A_SUM.search(rest):
+    if re.search(_OF_A_SUM, rest):
         return _SUM
-    if _OF_A_PRODUCT.search(rest) or rest.startswith("-"):
+    if re.search(_OF_A_PRODUCT, rest) or rest.startswith("-"):
         return _NEGATION
-    return _POWER if is_power or _OF_A_POWER.search(rest) else _ATOM
+    return _POWER if is_power or re.search(_OF_A_POWER, rest) else _ATOM
 
 
 class Lengths:
@@ -191,9 +191,9 @@ class Typesetter:
 # --- letters --------------------------------------------------------------------------------------
 
 #: A name with a hyphen, which is a difference where formulas are typeset.
-_HYPHENATED = re.compile(r"[A-Za-z][A-Za-z0-9_.]*(?:[-+][A-Za-z0-9_.]*)+", re.ASCII)
+_HYPHENATED = r"[A-Za-z][A-Za-z0-9_.]*(?:[-+][A-Za-z0-9_.]*)+"
 #: What stands for a number, and for no name.
-_NUMBER = re.compile(r"[0-9./]+|π|\\pi ?")
+_NUMBER = r"[0-9./]+|π|\\pi ?"
 
 Letters = Mapping[str, tuple[str, str]]
 
@@ -217,9 +217,9 @@ def _symbols(statement: Statement) -> Iterator[Constant | Variable]:
 
 
 def _shown(one: Constant | Variable, *, is_alike: bool) -> tuple[str, str]:
-    if is_alike or _NUMBER.fullmatch(one.letter) or _NUMBER.fullmatch(one.tex):
+    if is_alike or re.fullmatch(_NUMBER, one.letter) or re.fullmatch(_NUMBER, one.tex):
         return one.name, rf"\texttt{{{one.name}}}"
-    if _HYPHENATED.fullmatch(one.letter) and one.tex in ("", one.letter):
+    if re.fullmatch(_HYPHENATED, one.letter) and one.tex in ("", one.letter):
         return one.letter, rf"\texttt{{{one.letter}}}"
     return one.letter or one.name, one.tex
 

@@ -1,21 +1,23 @@
 """`THEORSS4.1ExistenCollapse`, as the page `theorem1.toml` states it: constants, rows, assumptions.
 
 The page comes with the program in a compiled form, too, which is taken where it is about the text
-of the page; after any change to the text the page is read.
+of the page; after any change to the text, or to that form, the page is read.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cache
+from hashlib import sha256
 
 from verify.language.record import Record
 from verify.language.statement import Assumption, Choice, Constant, Obligation
+from verify.language.terms import Claim
 from verify.paper.parameters import HYPOTHESES, PRINTED, REPAIRED
 from verify.publication import Cause, Change, Remark
-from verify.wire.compiled import Compiled, read_compiled
-from verify.wire.packaged import PACKAGED
+from verify.wire.compiled import Compiled, Kept, read_compiled
+from verify.wire.packaged import PACKAGED, recorded
 
 #: The page, and what is compiled of it.
 PAGE = os.path.join(os.path.dirname(__file__), "theorem1.toml")
@@ -38,7 +40,8 @@ class Part(Record):
 class Theorem(Record):
     """Theorem 1 over the symbols r, c, V_0 and delta_theta.
 
-    ``common`` are the constants of both sets; they exist where the hypotheses hold.
+    ``common`` are the constants of both sets; they exist where the hypotheses hold. ``kept`` has
+    what is known of claims that enclosures do not decide: see `verify.paper.commands.kept`.
     """
 
     name: str
@@ -46,6 +49,7 @@ class Theorem(Record):
     common: tuple[Constant, ...]
     parts: dict[str, Part]
     assumptions: tuple[Assumption, ...]
+    kept: Mapping[Claim, Kept]
 
     @property
     def changes(self) -> tuple[Change, ...]:
@@ -88,16 +92,19 @@ def theorem() -> Theorem:
     parts = {HYPOTHESES: Part(HYPOTHESES, (), _rows(found.rows, HYPOTHESES))}
     for group, items in constants.items():
         parts[group] = Part(group, tuple(items), _rows(found.rows, group))
-    return Theorem(found.theorem, found.parameters, common, parts, found.assumptions)
+    return Theorem(found.theorem, found.parameters, common, parts, found.assumptions, found.kept)
 
 
 def _at_hand(content: bytes) -> Compiled | None:
-    """What comes with the program, if it is about this text."""
+    """What comes with the program, if it is about this text and nobody has changed it since."""
     try:
-        with open(COMPILED, encoding="utf-8") as file:
-            return read_compiled(file.read(), content)
+        with open(COMPILED, "rb") as file:
+            lines = file.read()
     except FileNotFoundError:
         return None
+    if sha256(lines).hexdigest() != dict(recorded("compiled")).get("theorem1.txt"):
+        return None
+    return read_compiled(lines.decode(), content)
 
 
 def as_read(content: bytes) -> Compiled:
@@ -115,7 +122,7 @@ def as_read(content: bytes) -> Compiled:
     check_definitions(constant for constant in said.constants if _group(constant.name) != REPAIRED)
     constants = tuple(page.choices.get(constant.name, constant) for constant in said.constants)
     parameters = tuple(said.parameters)
-    return Compiled(said.theorem, parameters, constants, said.obligations, said.assumptions)
+    return Compiled(said.theorem, parameters, constants, said.obligations, said.assumptions, {})
 
 
 def _group(name: str) -> str:

@@ -13,10 +13,10 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from fractions import Fraction
 from functools import partial
-from typing import Any
 
 from flint import arb, ctx, fmpq, fmpz
 
+from verify.language.record import Any
 from verify.language.terms import MAX_INDEX
 from verify.prover.decimals import round_decimal
 from verify.prover.program import UndefinedError

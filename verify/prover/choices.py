@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from typing import Any
 
 from verify.language.fold import FAILS, HOLDS, OPEN, RATIONAL, fold, holds
+from verify.language.record import Any
 from verify.language.statement import Choice, Constant, Statement
 from verify.language.terms import FUNCTIONS, Claim, Term, as_term
 from verify.prover import balls

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
-from typing import Any
 
 from verify.language.fold import fails, holds
+from verify.language.record import Any
 from verify.language.statement import PROVED, REFUTED, Constant
 from verify.language.terms import Claim, Term, as_term, parts_of
 from verify.prover import balls
@@ -67,6 +67,7 @@ class Constants:
         self.definitions: dict[str, Term] = {}
         self._program = Program(())
         self._balls: dict[int, Run] = {}
+        self._within: dict[tuple[Term, int], Any] = {}
         self._enclosed: dict[Term, tuple[int, Ends] | None] = {}
         self._exact = Machine(self._program, ExactArithmetic()).run(())
         self._small = Machine(self._program, ExactArithmetic(RELIABLE_BITS)).run(())
@@ -88,15 +89,16 @@ class Constants:
 
     def defined_at(self, term: Term) -> int | None:
         """A precision at which the checker sees that a term has a value."""
-        for bits in self.ladder():
-            if self.ball(term, bits) is not None:
-                return _for_checker(bits)
-        return None
+        shown = (bits for bits in self.ladder() if self.ball(term, bits) is not None)
+        return next(map(_for_checker, shown), None)
 
     def ball(self, term: Term, bits: int) -> Any:
         """The ball of a term at this precision; None where it may be undefined, or too long."""
-        found = self._computed(term, bits)
-        return found if found is not None and balls.is_within_reach(found) else None
+        if (term, bits) not in self._within:
+            found = self._computed(term, bits)
+            is_near = found is None or balls.is_within_reach(found)
+            self._within[term, bits] = found if is_near else None
+        return self._within[term, bits]
 
     def _computed(self, term: Term, bits: int) -> Any:
         working = bits + GUARD_BITS
@@ -229,8 +231,7 @@ class Constants:
             return None if lost > MAX_BITS // 2 else (verdict, Interval(_for_checker(bits + lost)))
         a, b = self.exact(claim.lhs), self.exact(claim.rhs)
         if a is not None and b is not None:
-            verdict = PROVED if holds(claim.relation, a, b) else REFUTED
-            return verdict, Interval(MAX_BITS)
+            return PROVED if holds(claim.relation, a, b) else REFUTED, Interval(MAX_BITS)
         return None
 
     def lemma(self, claim: Claim) -> str | None:
@@ -260,10 +261,8 @@ class Constants:
 
     def holds_at(self, claim: Claim, bits: int) -> bool:
         """Whether the enclosures at one precision, or exact values, prove the claim."""
-        if self.compare(claim, bits) == PROVED:
-            return True
-        a, b = self.exact(claim.lhs), self.exact(claim.rhs)
-        return a is not None and b is not None and holds(claim.relation, a, b)
+        found = self.decide_at(claim, bits)
+        return found is not None and found[0] == PROVED
 
     def may_hold(self, claim: Claim, bits: int) -> bool:
         """False if the enclosures refute the claim."""

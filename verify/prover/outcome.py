@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
-from typing import Any
+from operator import attrgetter
 
-from verify.language.record import TYPE_CHECKING, Record
+from verify.language.record import TYPE_CHECKING, Any, Record
 from verify.language.statement import (
     NEEDED,
     PRINTED,
@@ -117,7 +117,7 @@ def _about(statement: Statement, decisions: Mapping[str, Decision]) -> Mapping[s
             same[id(names)] = all(names.get(name, what) == what for name, what in now.items())
         return (
             row is not None
-            and judged.claim == row.claim
+            and (judged.claim is row.claim or judged.claim == row.claim)
             and judged.context == row.context
             and same[id(names)]
         )
@@ -147,11 +147,13 @@ class Outcome(Record):
     @property
     def rows(self) -> list[tuple[Obligation, Decision]]:
         """Each obligation with its decision, in the statement's order."""
-        return [(row, self.decisions[row.name]) for row in self.statement.obligations]
+        rows = self.statement.obligations
+        found = map(self.decisions.__getitem__, map(attrgetter("name"), rows))
+        return [*zip(rows, found, strict=True)]
 
     def of_group(self, *groups: str) -> list[tuple[Obligation, Decision]]:
         """The rows of some groups."""
-        return [(row, found) for row, found in self.rows if row.group in groups]
+        return [pair for pair in self.rows if pair[0].group in groups]
 
     @property
     def verdict(self) -> str:

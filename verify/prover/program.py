@@ -11,9 +11,9 @@ from fractions import Fraction
 from functools import partial
 from math import isqrt
 from operator import add, mul, neg, sub
-from typing import Any, Protocol
 
 from verify.language.fold import fold
+from verify.language.record import Any, Protocol
 from verify.language.terms import FUNCTIONS, Term, atan
 
 

@@ -6,12 +6,12 @@ of a field says what it holds: by it proofs are written, read and searched for t
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 from functools import cache
-from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
-from verify.language.record import Record
+from verify.language.record import Annotated, Any, Record
 from verify.language.terms import Claim, Term
 
 #: A number that is >= 0 for all values in scope: a rational or the name of a fact as a text,
@@ -76,8 +76,8 @@ class Shape(Record):
 @cache
 def shapes(proofs: Any) -> Mapping[str, Shape]:
     """The shapes of the fields of a class of proofs."""
-    hints = get_type_hints(proofs, include_extras=True)
-    return {field: _shape(hints[field]) for field in proofs._fields}
+    known, hints = vars(sys.modules[proofs.__module__]), proofs.__annotations__
+    return {field: _shape(eval(hints[field], known)) for field in proofs._fields}  # noqa: S307
 
 
 def leaf_names(proof: Proof) -> frozenset[str]:
@@ -101,19 +101,19 @@ def _leaf_names(shape: Shape) -> Iterator[str]:
 def _shape(hint: Any) -> Shape:
     if hint in _NAMED:
         return Shape("leaf", (_NAMED[hint],))
-    first, *others = get_args(hint)
-    if get_origin(hint) is Annotated:
+    origin, (first, *others) = getattr(hint, "__origin__", None), hint.__args__
+    if origin is Annotated:
         (told,) = others
         if isinstance(told, int):
             return _shape(first)._replace(least=told)
         return Shape("choice", told) if isinstance(told, tuple) else Shape("leaf", (told,))
-    if get_origin(hint) is Mapping:
+    if origin is Mapping:
         return Shape("table", (_shape(others[0]),))
     if type(None) in others:
         return Shape("optional", (_shape(first),))
     if others == [...]:
         return Shape("list", (_shape(first),))
-    return Shape("row", tuple(map(_shape, get_args(hint))))
+    return Shape("row", tuple(map(_shape, hint.__args__)))
 
 
 def leaves(proof: Proof) -> Iterator[tuple[str, Any]]:

@@ -10,9 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from typing import Annotated, Any, TypeVar
 
-from verify.language.record import Record
+from verify.language.record import Annotated, Any, Record, TypeVar
 from verify.language.terms import Claim, Term
 from verify.prover.proof import Bits, Fact, Name, Premise, Proof, Side, Value
 

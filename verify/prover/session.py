@@ -8,8 +8,8 @@ by `verify/check.py`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
 
+from verify.language.record import Any
 from verify.language.statement import Constant, Context, Obligation
 from verify.language.terms import Claim, Term, as_term, equal
 from verify.prover.proof import (

@@ -2,12 +2,12 @@
 
 The first line has the digest of the text of the page; of another text nothing is taken from here.
 Then come terms, each with the numbers of those before it, and what the page says in their place.
-Nothing here is trusted: what is read goes the way of a page.
+No row is trusted: what is read goes the way of a page. What is kept of algebra is: see `Kept`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from hashlib import sha256
 
@@ -19,6 +19,16 @@ from verify.language.terms import INDEXED, Claim, Term, symbol
 TAB, NONE = "\t", "-"
 
 
+class Kept(Record):
+    """A verdict that algebra gives on a claim wherever some other claims hold.
+
+    The checker has accepted the proof when this was written down, by `tests/bring.py`.
+    """
+
+    verdict: str
+    needs: tuple[Claim, ...]
+
+
 class Compiled(Record):
     """The name of a theorem, and what its page says; a constant that may be chosen is a choice."""
 
@@ -27,6 +37,7 @@ class Compiled(Record):
     constants: tuple[Constant | Choice, ...]
     rows: tuple[Obligation, ...]
     assumptions: tuple[Assumption, ...]
+    kept: Mapping[Claim, Kept]
 
 
 def compiled(page: Compiled, content: bytes) -> str:
@@ -57,6 +68,11 @@ class _Terms:
             self._numbers[term] = str(len(self._numbers))
         return self._numbers[term]
 
+    def claim(self, claim: Claim) -> list[str]:
+        """The relation of a claim and the numbers of its sides."""
+        relation, lhs, rhs = claim.key
+        return [relation, self.number(lhs), self.number(rhs)]
+
     def _arguments(self, term: Term) -> list[str]:
         if term.op == "rational":
             return [str(term.value.numerator), str(term.value.denominator)]
@@ -77,12 +93,14 @@ def _said(page: Compiled, terms: _Terms) -> Iterator[list[str]]:
     for row in page.rows:
         if not isinstance(row.claim, Claim) or row.context is not None:
             raise ValueError(f"the row {row.name} is about a context, which is not compiled")
-        relation, lhs, rhs = row.claim.key
-        claim = [relation, terms.number(lhs), terms.number(rhs)]
+        claim = terms.claim(row.claim)
         said = [row.name, row.group, row.label, row.role, row.says]
         yield ["row", *said, *claim, row.severity or NONE, row.corrected_by or NONE, *row.uses]
     for assumption in page.assumptions:
         yield ["assumption", *assumption]
+    for about, kept in page.kept.items():
+        claims = (about, *kept.needs)
+        yield ["kept", kept.verdict, *(part for one in claims for part in terms.claim(one))]
 
 
 def read_compiled(text: str, content: bytes) -> Compiled | None:
@@ -93,7 +111,7 @@ def read_compiled(text: str, content: bytes) -> Compiled | None:
     first, _, second = rest.partition("\n\n")
     terms = _read_terms(first.split("\n"))
     theorem, *others = (line.split(TAB) for line in second.removesuffix("\n").split("\n"))
-    kinds: dict[str, list[list[str]]] = {"constant": [], "row": [], "assumption": []}
+    kinds: dict[str, list[list[str]]] = {"constant": [], "row": [], "assumption": [], "kept": []}
     for kind, *line in others:
         kinds[kind].append(line)
     return Compiled(
@@ -102,6 +120,7 @@ def read_compiled(text: str, content: bytes) -> Compiled | None:
         tuple(_constant(line, terms) for line in kinds["constant"]),
         tuple(_row(line, terms) for line in kinds["row"]),
         tuple(Assumption(*line) for line in kinds["assumption"]),
+        dict(_kept(line, terms) for line in kinds["kept"]),
     )
 
 
@@ -136,3 +155,12 @@ def _row(line: list[str], terms: list[Term]) -> Obligation:
     bad = None if severity == NONE else severity
     better = None if corrected == NONE else corrected
     return Obligation(name, group, label, role, says, claim, tuple(uses), better, bad, None)
+
+
+def _kept(line: list[str], terms: list[Term]) -> tuple[Claim, Kept]:
+    verdict, *parts = line
+    claim, *needs = (
+        Claim(relation, terms[int(lhs)], terms[int(rhs)])
+        for relation, lhs, rhs in zip(parts[::3], parts[1::3], parts[2::3], strict=True)
+    )
+    return claim, Kept(verdict, tuple(needs))

@@ -16,7 +16,8 @@ PACKAGED = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data")
 DIGESTS = os.path.join(PACKAGED, "packaged.txt")
 
 
-def _lines(kind: str) -> Iterator[list[str]]:
+def recorded(kind: str) -> Iterator[list[str]]:
+    """The lines of one kind."""
     with open(DIGESTS, encoding="ascii") as file:
         found = [line.split() for line in file]
     return (words for first, *words in found if first == kind)
@@ -25,12 +26,12 @@ def _lines(kind: str) -> Iterator[list[str]]:
 #: Files with their digests. Who cites one rests on them: it is not checked again in each run.
 PACKAGED_FILES = {
     name: {"statement.json": statement, "certificate.json": certificate}
-    for name, statement, certificate, _ in _lines("certificate")
+    for name, statement, certificate, _ in recorded("certificate")
 }
 #: How much work the checker counts for each of them.
-WORK = {name: int(work) for name, _, _, work in _lines("certificate")}
+WORK = {name: int(work) for name, _, _, work in recorded("certificate")}
 #: The pages of the paper: which of these each has become, and the digest of its text then.
-PAGES = {page: (name, digest) for page, name, digest in _lines("page")}
+PAGES = {page: (name, digest) for page, name, digest in recorded("page")}
 
 
 def became(page: str, text: bytes) -> str | None:

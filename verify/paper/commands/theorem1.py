@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
+from verify.language.record import Record
 from verify.language.statement import NEEDED, PROVED, Choice, Constant, Obligation, Statement
 from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
@@ -16,8 +17,34 @@ from verify.prover.choices import BudgetError, choose
 from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.ground import Enclosures, Ground
 from verify.prover.outcome import Decision, Outcome, conjunction
+from verify.prover.proof import Proof
 from verify.prover.session import Session
 from verify.publication import BREAKS, HARMLESS, OTHERWISE, REMARK
+from verify.wire.compiled import Kept
+
+
+class Recalled(Record):
+    """A proof that was found before rests on these claims; it is no step of a certificate."""
+
+    needs: tuple[Claim, ...]
+
+
+class RecallingGround(Ground):
+    """Decides by what is kept of algebra, where enclosures show all claims on which that rests."""
+
+    def __init__(
+        self, session: Session, start_bits: int, max_bits: int, kept: Mapping[Claim, Kept]
+    ) -> None:
+        super().__init__(session, start_bits, max_bits)
+        self._kept = kept
+
+    def _prove(self, claim: Claim) -> tuple[str, Proof | None]:
+        found, bits = self._kept.get(claim), self.start_bits
+        claims = (claim, *found.needs) if found else ()
+        verdicts = [self.compare(one, bits) for one in claims]
+        if found and verdicts == [None, *(PROVED for _ in found.needs)]:
+            return found.verdict, Recalled(found.needs)
+        return super()._prove(claim)
 
 
 class PointRun:
@@ -34,7 +61,8 @@ class PointRun:
         self.parameters, self.selection = parameters, selection
         self.all_sides = all_sides
         self.session = Session()
-        self.ground = Ground(self.session, start_bits, max_bits)
+        self.kept = {} if all_sides else theorem().kept
+        self.ground = RecallingGround(self.session, start_bits, max_bits, self.kept)
         self.constants: list[Constant] = []
         self.decisions: dict[str, Decision] = {}
         self.rows: list[Obligation] = []
@@ -47,9 +75,14 @@ class PointRun:
         parts = theorem().parts
         self._decide(parts[HYPOTHESES].obligations)
         if self._hypotheses_hold() and self._define(theorem().common):
+            rows: tuple[Obligation, ...] = ()
             for group in SELECTIONS[self.selection]:
                 if self._define(parts[group].constants):
-                    self._decide(self._asked(parts[group].obligations))
+                    rows += self._asked(parts[group].obligations)
+                if self.all_sides:  # a certificate has a set's rows behind its constants
+                    self._decide(rows)
+                    rows = ()
+            self._decide(rows)
         return self._outcome()
 
     def _hypotheses_hold(self) -> bool:
@@ -78,7 +111,9 @@ class PointRun:
         return True
 
     def _decide(self, rows: tuple[Obligation, ...]) -> None:
-        self.ground.compile(row.claim for row in rows if isinstance(row.claim, Claim))
+        claims = [row.claim for row in rows if isinstance(row.claim, Claim)]
+        needs = (need for c in claims if c in self.kept for need in self.kept[c].needs)
+        self.ground.compile((*claims, *needs))
         for row in rows:
             self.rows.append(row)
             self.decisions[row.name] = self.ground.decide(row, all_sides=self.all_sides)
@@ -151,7 +186,8 @@ def decide_point(
         start_bits: the first precision.
         max_bits: the last one.
         all_sides: whether every row gets enclosures of its sides, not only the refuted ones, and
-            all constants are enclosed now, not when they are asked for.
+            all constants are enclosed now, not when they are asked for. Without them there is no
+            certificate, and proofs by algebra that come with the program are not looked for anew.
     """
     return PointRun(parameters, selection, start_bits, max_bits, all_sides).run()
 

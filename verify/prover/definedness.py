@@ -56,6 +56,16 @@ def _before(statement: Statement, context: Context) -> tuple[Context, ...]:
     return statement.contexts[: names.index(context.name)]
 
 
+def _around(statement: Statement, context: Context) -> list[Context]:
+    """The contexts around one, the outermost first."""
+    found: list[Context] = []
+    parent = context.parent
+    while parent is not None:
+        found.insert(0, next(other for other in statement.contexts if other.name == parent))
+        parent = found[0].parent
+    return found
+
+
 class _Completion:
     """A context with the givens that are missing, and what supports them."""
 
@@ -153,6 +163,6 @@ def _children(term: Term) -> tuple[Term, ...]:
 def _definitions(statement: Statement, context: Context) -> Mapping[str, Term]:
     """What names stand for, at the points of a context and of those around it."""
     found = {**statement.parameters, **{one.name: one.term for one in statement.constants}}
-    for other in (*_before(statement, context), context):
+    for other in (*_around(statement, context), context):
         found |= {**other.point, **{one.name: one.term for one in other.constants}}
     return found

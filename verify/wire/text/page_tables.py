@@ -571,7 +571,7 @@ class Reader:
         self.scope.add(other.name, other.name, whole)
         from verify.wire.text.roots import about, isolated  # loaded only where they are used
 
-        numbers, known = (ends[0].value, ends[1].value), about(self.constants, self.floats)
+        numbers, known = (ends[0].value, ends[1].value), about(term, self.constants, self.floats)
         try:
             found = isolated(name, (variable, other), term, numbers, known)
         except InputError as error:
@@ -766,7 +766,7 @@ class Reader:
         texts = self.texts([*keys, "by"], table.get("by", []))
         by = tuple(word for text in texts for word in text.split())
         using = None if "using" not in table else self.texts([*keys, "using"], table["using"])
-        facts = self._facts_before(row)
+        facts = self._facts_before(row) if by else []
         if by and all(word in facts for word in by):
             self.hints[row] = Hint((), (*by, *(using or ())), follows=True)
             return

@@ -53,6 +53,8 @@ class Points:
         ``values`` has about what the other names stand for, those that vary ``around`` at one
         point.
         """
+        if not givens:
+            return dict.fromkeys(variables, as_term(1))
         if self.left <= 0:
             return None
         claims = [given.claim for given in givens]

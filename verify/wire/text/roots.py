@@ -36,11 +36,18 @@ class Isolated(Record):
     rows: tuple[Obligation, ...]
 
 
-def about(constants: Sequence[Constant], floats: Mapping[str, float]) -> dict[str, Term]:
-    """What names stand for, over earlier ones, or a number near it."""
-    exact = {constant.name: constant.term for constant in constants}
-    near = {name: x for name, x in floats.items() if name not in exact and math.isfinite(x)}
-    return {name: as_term(Fraction(x)) for name, x in near.items()} | exact
+def about(
+    term: Term, constants: Sequence[Constant], floats: Mapping[str, float]
+) -> dict[str, Term]:
+    """What the names in a term stand for, over earlier ones, or a number near it."""
+    needed, found = {*names_of(term)}, dict[str, Term]()
+    for constant in reversed(constants):
+        if constant.name in needed:
+            found[constant.name] = constant.term
+            needed |= {*names_of(constant.term)}
+    near = {name: floats.get(name, math.nan) for name in sorted(needed - found.keys())}
+    exact = dict(reversed(found.items()))
+    return {name: as_term(Fraction(x)) for name, x in near.items() if math.isfinite(x)} | exact
 
 
 def isolated(

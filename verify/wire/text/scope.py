@@ -12,6 +12,25 @@ if TYPE_CHECKING:
     from verify.wire.text.vectors import Gram
 
 
+class _Elsewhere(Mapping[str, str]):
+    """Why a name of another context cannot be used here."""
+
+    def __init__(self, homes: Mapping[str, str | None], known: Mapping[str, str]) -> None:
+        self._homes, self._known = homes, known
+
+    def __getitem__(self, written: str) -> str:
+        if written in self._known:
+            raise KeyError(written)
+        home = self._homes[written]
+        return f'is a name of the context {home}; write in = "{home}"'
+
+    def __iter__(self) -> Iterator[str]:
+        return (written for written in self._homes if written not in self._known)
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+
 class Scope:
     """The names that formulas may use: each as it is written, and what it means where."""
 
@@ -19,6 +38,7 @@ class Scope:
         self.homes: dict[str, str | None] = {}
         self.parents: dict[str, str | None] = {}
         self.written: dict[str | None, dict[str, str]] = {None: {}}
+        self.elsewhere: dict[str, str | None] = {}
         self.short: dict[str | None, dict[str, Value]] = {None: {}}
         self.functions: dict[str | None, dict[str, PageFunction]] = {None: {}}
         self.vectors: dict[str | None, dict[str, str | None]] = {}
@@ -31,6 +51,7 @@ class Scope:
         self._inside.clear()
         self.homes[name] = home
         self.written[home][written] = name
+        self.elsewhere[written] = home
 
     def abbreviate(self, written: str, value: Value, home: str | None) -> None:
         """A name that stands for a term or a table in a context, and inside of it."""
@@ -71,12 +92,7 @@ class Scope:
             functions = self.functions[place] | functions
         known |= {name: name for name in known.values()}
         known = self._without_context(context) | known
-        hidden = {
-            written: f"is a name of the context {home}; write in = {home!r}".replace("'", '"')
-            for home, names in self.written.items()
-            for written in names
-            if written not in known
-        }
+        hidden = _Elsewhere(self.elsewhere, known)
         place = next((home for home in self.chain(context) if home in self.grams), None)
         vectors, gram = self.vectors.get(place, {}), self.grams.get(place, {})
         return Names(known, hidden, short, vectors, gram, functions, self.spent)

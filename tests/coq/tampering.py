@@ -596,29 +596,32 @@ PAGES = {
 
 #: In PinnedAlexander.v: a weaker hypothesis, another sign, another order; none has a proof.
 ALEXANDER = {
-    "the-same": ("", ""),
-    "collision-time": ("kappa * (2 + gap) / ((1 + gap)", "kappa * (2 - gap) / ((1 + gap)"),
-    "collision-approach": ("dot d n_c V_c = - y ->", "dot d n_c V_c = y ->"),
-    "collision-restitution": ("(1 + e) * U * x_c i in", "(1 - e) * U * x_c i in"),
-    "collision-angle": ("(1 + gap) * - dot d x_c m_s", "(1 + gap) * dot d x_c m_s"),
-    "collision-gap": ("(E - 1) / (p * y) ^ 2", "(E - 1) / p ^ 2"),
-    "order-swapped": ("0 < q <= Q /\\", "0 < Q <= q /\\"),
-    "order-no-image": ("/\\ 0 < p_ Q K.", "/\\ 0 <= p_ Q K."),
-    "order-speed": ("0 <= B /\\", "B <= 0 /\\"),
-    "order-strict": ("0 < kappa' <= K'", "0 < kappa' < K'"),
-    "order-power": ("(P / p) ^ 2 /\\", "(P / p) ^ 3 /\\"),
-    "growth-faster": ("c * M <= 2 * (m * l)", "c * M <= 4 * (m * l)"),
-    "beneath-faster": ("(1 - m * (1 - L)", "(1 - 3 * m * (1 - L)"),
-    "orbits-far": ("80 * K ^ 3 * g", "80 * K ^ 2 * g"),
-    "orbits-faster": ("(1 + c / 2) ^ n", "(1 + c) ^ n"),
-    "orbits-distance": ("0 <= H (S n) <=", "H (S n) <= H (S n) <="),
-    "turn-one-pair": ("q'' := f / p'", "q'' := e / p'"),
-    "turn-sign": ("e * (D - e - z) /", "e * (D - e + z) /"),
-    "trap-threshold": ("e + f + t + t ^ 2 < D", "e + f + t < D"),
-    "trap-never": ("kappa 1%nat <= kappa O ->", "0 <= kappa O ->"),
-    "threshold-above": ("(t <= z ->", "(0 <= z ->"),
-    "threshold-below": ("(z <= t ->", "(z <= 2 * t ->"),
-    "stays-error": ("(1 - t + L) / (1 - m)", "L / (1 - m)"),
+    name: Definition("PinnedAlexander", old, new)
+    for name, (old, new) in {
+        "the-same": ("", ""),
+        "collision-time": ("kappa * (2 + gap) / ((1 + gap)", "kappa * (2 - gap) / ((1 + gap)"),
+        "collision-approach": ("dot d n_c V_c = - y ->", "dot d n_c V_c = y ->"),
+        "collision-restitution": ("(1 + e) * U * x_c i in", "(1 - e) * U * x_c i in"),
+        "collision-angle": ("(1 + gap) * - dot d x_c m_s", "(1 + gap) * dot d x_c m_s"),
+        "collision-gap": ("(E - 1) / (p * y) ^ 2", "(E - 1) / p ^ 2"),
+        "order-swapped": ("0 < q <= Q /\\", "0 < Q <= q /\\"),
+        "order-no-image": ("/\\ 0 < p_ Q K.", "/\\ 0 <= p_ Q K."),
+        "order-speed": ("0 <= B /\\", "B <= 0 /\\"),
+        "order-strict": ("0 < kappa' <= K'", "0 < kappa' < K'"),
+        "order-power": ("(P / p) ^ 2 /\\", "(P / p) ^ 3 /\\"),
+        "growth-faster": ("c * M <= 2 * (m * l)", "c * M <= 4 * (m * l)"),
+        "beneath-faster": ("(1 - m * (1 - L)", "(1 - 3 * m * (1 - L)"),
+        "orbits-far": ("80 * K ^ 3 * g", "80 * K ^ 2 * g"),
+        "orbits-faster": ("(1 + c / 2) ^ n", "(1 + c) ^ n"),
+        "orbits-distance": ("0 <= H (S n) <=", "H (S n) <= H (S n) <="),
+        "turn-one-pair": ("q'' := f / p'", "q'' := e / p'"),
+        "turn-sign": ("e * (D - e - z) /", "e * (D - e + z) /"),
+        "trap-threshold": ("e + f + t + t ^ 2 < D", "e + f + t < D"),
+        "trap-never": ("kappa 1%nat <= kappa O ->", "0 <= kappa O ->"),
+        "threshold-above": ("(t <= z ->", "(0 <= z ->"),
+        "threshold-below": ("(z <= t ->", "(z <= 2 * t ->"),
+        "stays-error": ("(1 - t + L) / (1 - m)", "L / (1 - m)"),
+    }.items()
 }  # fmt: skip
 #: In the files of scenes, where each changed number and each other order is refused.
 SCENE, CUT, LATER = "Scene_nearly_aligned", "Scene_cut", "Scene_turning_later"
@@ -872,8 +875,7 @@ def other_page(name: str, directory: Path) -> bool:
 def alexander(name: str, directory: Path) -> bool:
     """Whether the proofs do not fit another page, and fit the same."""
     page, proofs = "PinnedAlexander", "AlexanderProof"
-    text = changed(Definition(page, *ALEXANDER[name]))
-    parts = {page: text, proofs: (SOURCES / f"{proofs}.v").read_text()}
+    parts = {page: changed(ALEXANDER[name]), proofs: (SOURCES / f"{proofs}.v").read_text()}
     failed = first_that_fails(directory, parts)
     if failed not in ("", proofs):
         raise ValueError(f"{failed} does not compile")

@@ -23,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[2] / "certificates"
 BUILT = {
     "step": "Step", "theorem1-all": "All", "flow": "Flow", "three-balls": "Balls",
     "flow-of-balls": "BallsFlow", "sandwich": "Inner",
-    "outside": "Ends",
+    "outside": "Ends", "alexander": "Almost",
 }  # fmt: skip
 #: What ends in a theorem on three balls: two point runs, and five scenes.
 BALLS = {"theorem1-r-3-100": "Point", "theorem1-theta-5pi-6": "Angle"} | {

@@ -52,6 +52,10 @@ COLLAPSES = (
 BOUNDS = ("exchange_theorem", "run_theorem", "run_on_a_line", "run_without_end")
 THREE_BALLS = ("three_balls_theorem", "stairs_theorem", "three_equal_balls", "law_theorem")
 OUTSIDE = ("next_theorem", "outside_theorem", "floor_theorem", "no_collapse")
+ALEXANDER = (
+    "collision_theorem", "order_theorem", "growth_theorem", "beneath_theorem", "two_orbits_theorem",
+    "turn_theorem", "trap_theorem", "threshold_theorem", "stays_theorem",
+)  # fmt: skip
 MATRIX = ("basis_theorem", "matrix_theorem", "stated_theorem", "one_triple_theorem")
 VALUES = (
     "characteristic_theorem", "spectrum_theorem", "eigenvector_theorem", "parameter_theorem",
@@ -252,6 +256,9 @@ def everything(folders: list[Path]) -> str:
         "  := PinnedSandwich.sandwich_proved.",
         f"Definition outside : {conjunction('PinnedOutside.', OUTSIDE)}",
         "  := PinnedOutside.outside_proved.",
+        "From Verify Require PinnedAlexander AlexanderProof.",
+        f"Definition alexander : {conjunction('PinnedAlexander.', ALEXANDER)}",
+        "  := AlexanderProof.alexander.",
         "Definition printed_sign : PinnedPrintedSign.printed_sign_theorem",
         "  := PinnedPrintedSign.printed_sign_proved.",
         "Definition not_as_printed : ~ PinnedPrintedSign.as_printed",
@@ -278,8 +285,10 @@ def everything(folders: list[Path]) -> str:
     names = "".join(f", true_{name}" for name in own)
     main = f"soundness, files, theorem_1, point, angle, {', '.join(map(compiled, scenes))}"
     main += ", Pinned.collapsing_scene, printed_set, separatrix, discharged, classification"
-    main += ", bounds, line, three_balls, sandwich, outside, printed_sign, not_as_printed, matrix"
-    main += ", spectrum, PinnedPrintedSign.false_for_all"
+    main += (
+        ", bounds, line, three_balls, sandwich, outside, alexander, printed_sign, not_as_printed"
+    )
+    main += ", matrix, spectrum, PinnedPrintedSign.false_for_all"
     lines.append(f"Definition everything := ({main}{names}).")
     return "\n".join([*lines, "Print Assumptions everything.", ""])
 

@@ -89,7 +89,9 @@ def found(directory: Path) -> dict[str, Any]:
 
 def theorems() -> list[str]:
     """The theorems on the pages that can be read alone, for which Everything.v asks."""
-    return re.findall(r":= ((?:Pinned\w*|SeparatrixProof)\.\w+)\.$", everything([]), re.MULTILINE)
+    return re.findall(
+        r":= ((?:Pinned\w*|SeparatrixProof|AlexanderProof)\.\w+)\.$", everything([]), re.MULTILINE
+    )
 
 
 def _item(folder: Path, digest: str) -> dict[str, str]:

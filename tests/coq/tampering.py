@@ -594,6 +594,35 @@ PAGES = {
     "Spectrum": ("PinnedSpectrum", {"SpectrumProof": ()}),
 }  # fmt: skip
 
+#: In PinnedAlexander.v: a weaker hypothesis, another sign, another order; none has a proof.
+ALEXANDER = {
+    name: Definition("PinnedAlexander", old, new)
+    for name, (old, new) in {
+        "the-same": ("", ""),
+        "collision-time": ("kappa * (2 + gap) / ((1 + gap)", "kappa * (2 - gap) / ((1 + gap)"),
+        "collision-approach": ("dot d n_c V_c = - y ->", "dot d n_c V_c = y ->"),
+        "collision-restitution": ("(1 + e) * U * x_c i in", "(1 - e) * U * x_c i in"),
+        "collision-angle": ("(1 + gap) * - dot d x_c m_s", "(1 + gap) * dot d x_c m_s"),
+        "collision-gap": ("(E - 1) / (p * y) ^ 2", "(E - 1) / p ^ 2"),
+        "order-swapped": ("0 < q <= Q /\\", "0 < Q <= q /\\"),
+        "order-no-image": ("/\\ 0 < p_ Q K.", "/\\ 0 <= p_ Q K."),
+        "order-speed": ("0 <= B /\\", "B <= 0 /\\"),
+        "order-strict": ("0 < kappa' <= K'", "0 < kappa' < K'"),
+        "order-power": ("(P / p) ^ 2 /\\", "(P / p) ^ 3 /\\"),
+        "growth-faster": ("c * M <= 2 * (m * l)", "c * M <= 4 * (m * l)"),
+        "beneath-faster": ("(1 - m * (1 - L)", "(1 - 3 * m * (1 - L)"),
+        "orbits-far": ("80 * K ^ 3 * g", "80 * K ^ 2 * g"),
+        "orbits-faster": ("(1 + c / 2) ^ n", "(1 + c) ^ n"),
+        "orbits-distance": ("0 <= H (S n) <=", "H (S n) <= H (S n) <="),
+        "turn-one-pair": ("q'' := f / p'", "q'' := e / p'"),
+        "turn-sign": ("e * (D - e - z) /", "e * (D - e + z) /"),
+        "trap-threshold": ("e + f + t + t ^ 2 < D", "e + f + t < D"),
+        "trap-never": ("kappa 1%nat <= kappa O ->", "0 <= kappa O ->"),
+        "threshold-above": ("(t <= z ->", "(0 <= z ->"),
+        "threshold-below": ("(z <= t ->", "(z <= 2 * t ->"),
+        "stays-error": ("(1 - t + L) / (1 - m)", "L / (1 - m)"),
+    }.items()
+}  # fmt: skip
 #: In the files of scenes, where each changed number and each other order is refused.
 SCENE, CUT, LATER = "Scene_nearly_aligned", "Scene_cut", "Scene_turning_later"
 SCENES = {
@@ -843,6 +872,16 @@ def other_page(name: str, directory: Path) -> bool:
     return bool(failed) != name.startswith("the-same")
 
 
+def alexander(name: str, directory: Path) -> bool:
+    """Whether the proofs do not fit another page, and fit the same."""
+    page, proofs = "PinnedAlexander", "AlexanderProof"
+    parts = {page: changed(ALEXANDER[name]), proofs: (SOURCES / f"{proofs}.v").read_text()}
+    failed = first_that_fails(directory, parts)
+    if failed not in ("", proofs):
+        raise ValueError(f"{failed} does not compile")
+    return bool(failed) == (name != "the-same")
+
+
 def unknown(output: str) -> list[str]:
     """What Coq says of assumptions that is not in the committed file."""
     known = {line.strip() for line in ASSUMED.read_text().splitlines()}
@@ -935,7 +974,7 @@ def another_scene(name: str, directory: Path) -> bool:
 
 Way = tuple[str, Callable[[str, Path], bool]]
 #: These ask the one toplevel, and write no file.
-IN_SESSION = (definition, spelled, printed_set, other_page, the_same_definition)
+IN_SESSION = (definition, spelled, printed_set, other_page, alexander, the_same_definition)
 
 
 def ways() -> list[Way]:
@@ -944,6 +983,7 @@ def ways() -> list[Way]:
     found += [(name, spelled) for name in SPELLED]
     found += [(name, printed_set) for name in PRINTED]
     found += [(name, other_page) for name in OTHERS]
+    found += [(name, alexander) for name in ALEXANDER]
     found += [(name, assumption) for name in ASSUMPTIONS]
     found += [(name, nothing) for name in NOTHING]
     found += [(name, another_scene) for name in SCENES]

@@ -232,7 +232,8 @@ def test_a_scene_that_disperses_ends_in_its_theorem(
 
 
 @pytest.mark.parametrize(
-    ("file", "name"), [("Step", "step"), ("All", "theorem1-all"), ("Flow", "flow")]
+    ("file", "name"),
+    [("Step", "step"), ("All", "theorem1-all"), ("Flow", "flow"), ("Almost", "alexander")],
 )
 def test_the_rows_that_theorems_name_are_exported_and_no_others(file: str, name: str) -> None:
     (folder,) = check.read_folders([str(ROOT / "certificates" / name)])

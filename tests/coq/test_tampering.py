@@ -26,6 +26,7 @@ from tests.coq.readback import in_digits
 from tests.coq.record import AnotherError, found, said_by_coq
 from tests.coq.sources import NOTATIONS, complaints, sentences, unexpected
 from tests.coq.tampering import (
+    ALEXANDER,
     ASSUMED,
     ASSUMPTIONS,
     DEFINITIONS,
@@ -107,7 +108,7 @@ def test_in_a_proof_and_in_a_section_other_sentences_are_allowed() -> None:
     assert unexpected('Definition a := "x. Axiom y : False.')
 
 
-PLACES = [DEFINITIONS, SPELLED, PRINTED, OTHERS, PINNED, UNPROVED, VERDICTS]
+PLACES = [DEFINITIONS, SPELLED, PRINTED, OTHERS, ALEXANDER, PINNED, UNPROVED, VERDICTS]
 
 
 @pytest.mark.parametrize("way", [way for ways in PLACES for way in ways.values()])

@@ -42,6 +42,10 @@ MAX_PLACES = 8
 Point = list[Fraction]
 
 
+#: What it costs to see whether a claim is linear, and for each product of it that is expanded.
+CLAIM, PRODUCT = 50, 10
+
+
 class Linear(Record):
     """A claim as c + a_1 x_1 + ... >= 0, > 0 if it is strict, or = 0.
 
@@ -177,6 +181,8 @@ class Givens:
             polynomial = clearing.difference(*sides)
         except (TooLongError, ArithmeticError):
             return None
+        finally:
+            self.budget.spend(CLAIM + PRODUCT * clearing.products)
         places = [self._place(atom) for atom in clearing.atoms]
         if any(d for p in divisors for x, d in zip(places, p.degrees(), strict=True) if x != -1):
             return None

@@ -35,8 +35,11 @@ def rows(reading: Reading, words: set[str]) -> list[str]:
     """The rows of which some words are the names in Coq."""
     notation = Readable(reading).notation
     own = {row.name: notation.name(row.name) for row in reading.statement.rows.values()}
+    # A row that has the name of a variable has a _ after it.
     return [
-        row for row, name in own.items() if words & {name, f"row_of_{name}", f"row_of_{name}_is"}
+        row
+        for row, name in own.items()
+        if words & {name, f"{name}_", f"row_of_{name}", f"row_of_{name}_is"}
     ]
 
 

@@ -8,6 +8,7 @@ import pytest
 
 from tests.cpu import seconds_of
 from verify.language.statement import PROVED
+from verify.language.terms import as_term
 from verify.prover.budget import WorkBudget
 from verify.wire.inputs import InputError
 from verify.wire.questions import decide_page, read_page_of
@@ -97,3 +98,24 @@ def test_equations_are_solved_once_for_the_same_values() -> None:
     seconds, said = seconds_of(read)
     assert "write a longer --time, or one, as" in said
     assert seconds < 4
+
+
+def test_high_powers_are_counted_where_claims_are_looked_at() -> None:
+    """2 500 of them took a minute and more, whatever --time said."""
+    given = [f"(x + y)^{900 + i % 99} = (x - {i})^999" for i in range(400)]
+    text = f'title = "t"\n[contexts.o]\nvariables = "x y"\ngiven = {given}\n'.replace("'", '"')
+
+    def read() -> str:
+        with pytest.raises(InputError) as error:
+            read_page_of("a.toml", f'{text}[rows]\na = "x >= 0"\n'.encode(), {}, 1)
+        return str(error.value)
+
+    seconds, said = seconds_of(read)
+    assert "no point was found" in said
+    assert seconds < 4
+
+
+def test_without_givens_any_point_will_do() -> None:
+    text = "".join(f'[contexts.a{i}]\nvariables = "x y z u v w"\n' for i in range(1000))
+    page = read_page_of("a.toml", f'title = "t"\n{text}[rows]\nr = "1 < 2"\n'.encode(), {}, 0.1)
+    assert all(set(context.point.values()) == {as_term(1)} for context in page.statement.contexts)

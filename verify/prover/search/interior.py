@@ -42,8 +42,8 @@ MAX_PLACES = 8
 Point = list[Fraction]
 
 
-#: What it costs to see whether a claim is linear, and for each product of it that is expanded.
-CLAIM, PRODUCT = 50, 10
+#: What it costs to see whether a claim is linear, beside the products of it that are expanded.
+CLAIM = 50
 
 
 class Linear(Record):
@@ -182,7 +182,7 @@ class Givens:
         except (TooLongError, ArithmeticError):
             return None
         finally:
-            self.budget.spend(CLAIM + PRODUCT * clearing.products)
+            self.budget.spend(CLAIM + clearing.products)
         places = [self._place(atom) for atom in clearing.atoms]
         if any(d for p in divisors for x, d in zip(places, p.degrees(), strict=True) if x != -1):
             return None

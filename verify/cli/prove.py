@@ -87,7 +87,9 @@ def run(options: Options) -> int:
 
 
 def _too_deep(path: str) -> InputError:
-    return InputError(f"{shown(path)}: a term nests too deeply; name its parts")
+    is_smtlib = path.endswith(".smt2")
+    remedy = "declare a constant for a part, and assert that it is equal" if is_smtlib else ""
+    return InputError(f"{shown(path)}: a term nests too deeply; {remedy or 'name its parts'}")
 
 
 def _publication(outcome: Outcome) -> Publication:

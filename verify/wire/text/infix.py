@@ -737,7 +737,8 @@ class _Reader:
 
         if not self.names.gram:
             raise self.error(
-                "no inner products are known here; write gram or products in its context"
+                "no inner products are known here; say by in = which context has them, or write "
+                "gram or products in its own"
             )
         x = self._vector()
         if not self.take(","):

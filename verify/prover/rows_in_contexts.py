@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from verify.language.fold import negation
+from verify.language.fold import MEANINGS, negation
 from verify.language.statement import (
     PROVED,
     REFUTED,
@@ -145,6 +145,8 @@ class RowsInContexts:
 
     def _is_false_at_point(self, goal: Goal, context: Context) -> bool:
         """Whether the claim is soon seen to be false at the point of its context."""
+        if goal.claim.relation not in MEANINGS:
+            return False
         values = [context.point.get(name) for name in goal.variables]
         numbers = [term.value for term in values if term is not None and term.op == "rational"]
         if len(numbers) == len(values):

@@ -28,7 +28,7 @@ DECIDING = (
 )
 #: Of these files, for each code. Where one of them has changed: the next code, or, if no verdict
 #: and no number can have changed, another digest for this code.
-DIGEST = "6b36ded9b2e3a8866329eeb52e637d1600e257f731a824ebbcbaac2abf861721"
+DIGEST = "295b98130bf0ae532b4e1d17c39d4be8fa93d1b35d54dc607634fa87adaa5927"
 DIGESTS = {2: DIGEST, 6: DIGEST}
 
 

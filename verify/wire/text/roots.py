@@ -23,6 +23,8 @@ from verify.wire.inputs import InputError, shown
 
 #: The ends between which a root is named have so many decimals.
 DIGITS = 12
+#: The numbers beside a root are not larger, so that few steps lead to it.
+LARGEST = 10**300
 #: Bits of the balls that tell a sign, one after another.
 PRECISIONS = (64, 256, 1024, 4096, 2**14)
 _SIGNS = {-1: "negative", 0: "0, or of no sign that is known", 1: "positive"}
@@ -129,6 +131,8 @@ def _narrow(
     The rows say that it is so.
     """
     low, high = between
+    if max(abs(low), abs(high)) > LARGEST:
+        raise InputError(f"{shown(name)}: the numbers beside it are too large; write others")
     signs = _Signs(term, x, known)
     first, last = map(signs.at, between)
     if not low < high or first * last >= 0:

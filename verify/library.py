@@ -47,8 +47,6 @@ from verify.wire.text.roots import Isolated, isolated
 from verify.wire.text.write_page import page_text
 from verify.wire.write import write
 
-#: So many seconds are no time to wait.
-LONGEST = 10**9
 Item = TypeVar("Item")
 #: So many seconds are no time to wait.
 LONGEST = 10**9

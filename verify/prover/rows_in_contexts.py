@@ -44,10 +44,10 @@ class RowsInContexts:
             return Decision(UNDECIDED)
         goal, context = self.known.goal(claim, row.context), self.known.contexts[row.context]
         is_false = self._is_false_at_point(goal, context)
-        witness = self._refute(goal, context) if is_false else None
+        witness = self._refute(goal, context, there=True) if is_false else None
         proof = None if witness else self.known.prove(goal)
         if proof is None and not is_false:
-            witness = self._refute(goal, context)
+            witness = self._refute(goal, context, there=False)
         verdict, proof = (PROVED, proof) if witness is None else (REFUTED, witness)
         if proof is None:
             return Decision(UNDECIDED)
@@ -118,9 +118,12 @@ class RowsInContexts:
             f"its given {given.name} was not shown {where}; ask it as a row before{inside}: {claim}"
         )
 
-    def _refute(self, goal: Goal, context: Context) -> Witness | None:
-        """Values for the variables of the context at which the claim is false."""
-        for at in self._false_points(goal, context):
+    def _refute(self, goal: Goal, context: Context, *, there: bool) -> Witness | None:
+        """Values for the variables at which the claim is false.
+
+        ``there`` says whether that is soon seen at the context's point.
+        """
+        for at in self._false_points(goal, context, there=there):
             undo = self.known.mark()
             found = self.witness(goal, context, at)
             if found is not None:
@@ -128,10 +131,12 @@ class RowsInContexts:
             undo()
         return None
 
-    def _false_points(self, goal: Goal, context: Context) -> Iterator[Mapping[str, Term]]:
+    def _false_points(
+        self, goal: Goal, context: Context, *, there: bool
+    ) -> Iterator[Mapping[str, Term]]:
         """Values at which the claim may be false, those that are found soon first."""
         simple = refuting_point(goal, self.known.enclosed)
-        if simple is None and self._is_false_at_point(goal, context):
+        if simple is None and there:
             yield context.point
         for point in (simple, None if simple else refuting_minimum(goal, self.known)):
             if point is not None:

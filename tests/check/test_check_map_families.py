@@ -399,6 +399,7 @@ def test_terms_are_counted_and_told() -> None:
     assert check_map.term_text(term, ("r", "vx")) == "(r + (1/2 * (vx - (r / 3))))"
     over_a_half = ("/", "y", Fraction(1, 2))
     assert check_map.term_text(over_a_half, ("r", "vx")) == "(vx / (1/2))"
+    assert check_map.term_text(("/", "x", ("/", "y", F(3))), ("r", "vx")) == "(r / (vx / 3))"
     many: Any = "x"
     for _ in range(15):
         many = ["+", many, "0"]

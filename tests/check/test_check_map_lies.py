@@ -228,6 +228,8 @@ def test_what_is_no_json_object_with_the_keys() -> None:
         [put(lines(1)[0], ("plane", "more"), 1)],
     ):
         assert code(content) == 4
+    with pytest.raises(LogError, match="expected a line with"):
+        check([header.replace(b',"sha256":"', b',"sha256": "')])
     utf_16 = header.decode().encode("utf-16")
     with pytest.raises(LogError, match="no JSON"):
         check([utf_16])

@@ -210,8 +210,9 @@ def test_an_interrupt_is_told(
 
 def test_a_box_that_disperses_needs_no_numbers() -> None:
     assert check_map.sixes([], "d") == []
-    six = [tuple((n << 66,) * 2 for n in range(6))]
-    assert check_map.sixes([*range(6)], "c") == check_map.sixes([*range(6)], "d") == six
+    twelve = [tuple((n << 66,) * 2 for n in range(first, first + 6)) for first in (0, 6)]
+    assert check_map.sixes([*range(6)], "c") == check_map.sixes([*range(6)], "d") == twelve[:1]
+    assert check_map.sixes([*range(12)], "c") == twelve
     for flat, letter in (([], "c"), ([1], "d"), ([1] * 5, "c"), ("", "c"), ([True] * 6, "c")):
         with pytest.raises(LogError):
             check_map.sixes(flat, letter)

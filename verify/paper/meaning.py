@@ -19,9 +19,9 @@ MEANING = (
         "The conclusion leaves open whether there is a triangular collapse, one in which all three "
         "pairs collide infinitely often: there is none, for any masses, radii, dimension and "
         "restitution (I). It hopes for an Alexander theorem for three particles of equal mass: for "
-        "r > 7-4√3 here is one (II with IV), and for any r and any masses certificates/alexander "
-        "is one: almost every start has finitely many collisions, or a collapse in the regime of "
-        "Zhou and Kadanoff."),
+        "r > 7-4√3 here is one (II with IV), and for any r in (0, 1), any masses and radii in "
+        "dimension 2 or more certificates/alexander is one: almost every start has finitely many "
+        "collisions, or a collapse in the regime of Zhou and Kadanoff."),
     Remark("EQUATSS3.4ZKCl1CondiExist",
         "The first condition, which the text quotes from Zhou and Kadanoff as necessary, is "
         "necessary for the full dynamics: no limit of velocities or angles is taken in the "

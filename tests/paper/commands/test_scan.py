@@ -6,10 +6,14 @@ from fractions import Fraction
 
 import pytest
 
-from verify.language.terms import as_term
+from verify.language.statement import REFUTED
+from verify.language.terms import as_term, symbol
+from verify.paper.commands import scan
 from verify.paper.commands.scan import Grid, Scan, _job
 from verify.paper.commands.theorem1 import decide_point
+from verify.paper.theorem1 import theorem
 from verify.views.words import fair
+from verify.wire.compiled import Kept
 
 PARAMETERS = {
     "r": Fraction(1),
@@ -56,6 +60,17 @@ def test_most_points_need_no_single_run(monkeypatch) -> None:
     assert len(points) == 200
     assert len(calls) <= 5
     assert {point.verdict for _, point in points} == {"proved"}
+
+
+def test_only_claims_that_balls_show_are_built_on(monkeypatch) -> None:
+    """Whoever says that a row is refuted where r is above 1 is not believed where it is below."""
+    here, found = PARAMETERS | {"r": Fraction(3, 100)}, theorem()
+    for need, believed in ((as_term(1) < symbol("r"), False), (symbol("r") < as_term(1), True)):
+        lies = {claim: Kept(REFUTED, (need,)) for claim in found.kept}
+        monkeypatch.setattr(scan, "theorem", lambda: found._replace(kept=lies))  # noqa: B023
+        point = Scan().at(here)
+        assert (point.verdict == REFUTED) is believed
+        assert believed or (point.verdict, dict(point.rows)) == single(here)
 
 
 def test_a_grid_has_its_ends_and_equal_distances() -> None:

@@ -1,7 +1,8 @@
 """What algebra decides of Theorem 1 at every point, kept so that a point run need not look for it.
 
-Some rows hold with equality, so that no enclosure decides them. Their proofs are found at one
-point, each of them alone: beside definitions it uses nothing but claims that enclosures have shown
+Some rows hold with equality, so that no enclosure decides them; which ones depends on which entry
+of a minimum is the least. Their proofs are found at two points that differ in this, each of them
+alone: beside definitions it uses nothing but claims that enclosures have shown
 on the way. The checker accepts it. No proof is kept that uses the value of a parameter, or of a
 constant that is rounded. So the proof holds wherever those claims hold, and a point run shows them
 by enclosures of its own.
@@ -9,7 +10,6 @@ by enclosures of its own.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -26,24 +26,30 @@ from verify.prover.session import Session
 from verify.wire.compiled import Kept
 from verify.wire.judge import judged
 
-#: The point at which the proofs are looked for.
-POINT: Mapping[str, Fraction | int] = {
-    "r": Fraction(3, 100),
-    "c": 1,
-    "V_0": 1,
-    "delta_theta": Fraction(1, 10),
-}
+#: The values of r at which the proofs are looked for.
+POINTS = Fraction(3, 100), Fraction(1, 100)
 
 
 def kept() -> dict[Claim, Kept]:
     """The verdicts on claims of rows, with the claims on which their proofs rest."""
-    outcome = decide_point({name: as_term(value) for name, value in POINT.items()})
     found: dict[Claim, Kept] = {}
-    for row, decision in outcome.rows:
-        if isinstance(row.claim, Claim) and decision.judge == ALGEBRA and row.claim not in found:
-            alone = _alone(outcome.statement, row)
-            if not _numbers() & _used(alone):
-                found[row.claim] = Kept(alone.decisions[row.name].verdict, _needs(alone))
+    for r in POINTS:
+        values: dict[str, Fraction | int] = {
+            "r": r,
+            "c": 1,
+            "V_0": 1,
+            "delta_theta": Fraction(1, 10),
+        }
+        outcome = decide_point({name: as_term(value) for name, value in values.items()})
+        for row, decision in outcome.rows:
+            if (
+                isinstance(row.claim, Claim)
+                and decision.judge == ALGEBRA
+                and row.claim not in found
+            ):
+                alone = _alone(outcome.statement, row)
+                if not _numbers() & _used(alone):
+                    found[row.claim] = Kept(alone.decisions[row.name].verdict, _needs(alone))
     return found
 
 

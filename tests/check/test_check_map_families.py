@@ -445,6 +445,13 @@ def test_quotients_are_polynomials_if_the_divisor_is_a_number() -> None:
     assert check_map.polynomial(("/", "x", F(3))) == {(1, 0): F(1, 3)}
     assert check_map.polynomial(("/", F(1), "x")) is None
     assert check_map.polynomial(("/", "x", F(0))) is None
+    assert check_map.polynomial(("*", "y", ("*", "x", "y"))) == {(1, 2): 1}
+    power: Any = F(1)
+    for _ in range(check_map.MAX_COEFFICIENTS - 1):
+        power = ("+", ("*", "y", power), F(1))
+    assert len(check_map.polynomial(power) or ()) == 100
+    assert check_map.polynomial(("*", "y", power)) is not None
+    assert check_map.polynomial(("+", ("*", "y", power), F(1))) is None
 
 
 # --- what is malformed ----------------------------------------------------------------------------
@@ -484,6 +491,12 @@ def test_limits() -> None:
             check_map.plane_of(PLANE | {"y": y})
     with pytest.raises(LogError, match="a name for each axis"):
         check_map.plane_of(PLANE | {"axes": ["r", "r"]})
+    for axes in (["r", "1"], ["r", ""], ["r", "v\n"]):
+        with pytest.raises(LogError, match="names of axes"):
+            check_map.plane_of(PLANE | {"axes": axes})
+    for few in ([], [["0", "0"]]):
+        with pytest.raises(LogError, match="three vectors"):
+            check_map.plane_of(PLANE | {"positions": few})
     for size, good in ((20, True), (21, False)):
         rows = [[str(5 * i), *["0"] * (size - 1)] for i in range(3)]
         changes = {"positions": rows, "velocities": rows}

@@ -230,6 +230,9 @@ def test_what_is_no_json_object_with_the_keys() -> None:
         assert code(content) == 4
     with pytest.raises(LogError, match="expected a line with"):
         check([header.replace(b',"sha256":"', b',"sha256": "')])
+    for number in (b"1.0", b"1e0", b"NaN", b"Infinity"):
+        with pytest.raises(LogError, match="whole numbers"):
+            check([header.replace(b'"first_level":', b'"first_level":' + number + b',"more":')])
     utf_16 = header.decode().encode("utf-16")
     with pytest.raises(LogError, match="no JSON"):
         check([utf_16])

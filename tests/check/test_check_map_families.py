@@ -485,18 +485,21 @@ def test_malformed(words: str) -> None:
         check_map.plane_of(LINE | SPOILT[words])
 
 
-def test_limits() -> None:
-    for y in (["0", "0"], ["1", "0"]):
-        with pytest.raises(LogError, match="an interval for each axis"):
-            check_map.plane_of(PLANE | {"y": y})
-    with pytest.raises(LogError, match="a name for each axis"):
-        check_map.plane_of(PLANE | {"axes": ["r", "r"]})
+def test_names_of_axes_and_three_vectors() -> None:
     for axes in (["r", "1"], ["r", ""], ["r", "v\n"]):
         with pytest.raises(LogError, match="names of axes"):
             check_map.plane_of(PLANE | {"axes": axes})
     for few in ([], [["0", "0"]]):
         with pytest.raises(LogError, match="three vectors"):
             check_map.plane_of(PLANE | {"positions": few})
+
+
+def test_limits() -> None:
+    for y in (["0", "0"], ["1", "0"]):
+        with pytest.raises(LogError, match="an interval for each axis"):
+            check_map.plane_of(PLANE | {"y": y})
+    with pytest.raises(LogError, match="a name for each axis"):
+        check_map.plane_of(PLANE | {"axes": ["r", "r"]})
     for size, good in ((20, True), (21, False)):
         rows = [[str(5 * i), *["0"] * (size - 1)] for i in range(3)]
         changes = {"positions": rows, "velocities": rows}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import random
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,8 @@ from verify.cli import main
 from verify.paper.commands import classification as job
 from verify.paper.commands import pages
 from verify.paper.source import PAPER
+from verify.spheres.scene.decide import Budget, decide_scene
+from verify.spheres.scene.scene_files import read_scene
 
 COUNTS = {
     "0.072": "64",
@@ -77,7 +80,6 @@ def test_how_light_a_ball_must_be(capsys: pytest.CaptureFixture[str], r: str) ->
 @pytest.mark.parametrize(
     "words",
     [
-        ["--masses", "1,2,3"],
         ["--r", "0.3", "--masses", "1,2"],
         ["--r", "0.3", "--masses", "1,2,0"],
         ["--r", "0.3", "--masses", "1,2,x"],
@@ -85,6 +87,56 @@ def test_how_light_a_ball_must_be(capsys: pytest.CaptureFixture[str], r: str) ->
 )
 def test_masses_that_are_refused(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
     check_refused(run(capsys, *words), "--masses")
+
+
+def collisions(share: Fraction, r: Fraction) -> int:
+    """By the law of collision on a line, one after another; s_n is divided by √M if n is even."""
+    before, now, count = Fraction(0), Fraction(1), 0
+    while now > 0:
+        factor = (1 + r) ** 2 * share if count % 2 else Fraction(1)
+        before, now, count = now, factor * now - r * before, count + 1
+    return count
+
+
+def test_where_the_number_of_collisions_changes(capsys: pytest.CaptureFixture[str]) -> None:
+    found = document(capsys, "--masses", "1,1,1")
+    validator("classification").validate(found)
+    told = [(one["collisions"], one["exact"]) for one in found["middles"][0]["on_a_line"]]
+    assert told[:2] == [(2, "1"), (3, "3-2√2")]
+    rng = random.Random(43)
+    for _ in range(20):
+        masses = [Fraction(rng.randint(1, 99), 10 ** rng.randint(0, 2)) for _ in range(3)]
+        found = document(capsys, "--masses", ",".join(map(str, masses)))
+        for about in found["middles"]:
+            share, o = Fraction(about["share"]), about["ball"]
+            m, one, two = masses[o], *(masses[:o] + masses[o + 1 :])
+            assert share == one * two / ((m + one) * (m + two))
+            for part in about["on_a_line"]:
+                low, high = map(Fraction, part["least_r"])
+                near = Fraction(1, 10**9)
+                assert collisions(share, low * (1 - near)) == part["collisions"] + 1
+                if high <= 1 / (1 + near):
+                    assert collisions(share, high * (1 + near)) == part["collisions"]
+
+
+def test_scenes_beside_a_threshold_have_so_many_collisions(tmp_path: Path) -> None:
+    """One of mass 3 hits two at rest, of masses 2 and 1: on both sides of two thresholds."""
+    about = job.on_a_line((Fraction(2), Fraction(3), Fraction(1)))[0]
+    for part in about.counts[1:3]:
+        low, high = part.least_r
+        for r, count in (
+            (high * Fraction(1001, 1000), part.collisions),
+            (low * Fraction(999, 1000), part.collisions + 1),
+        ):
+            scene = tmp_path / "scene.toml"
+            scene.write_text(
+                f'r = "{r.limit_denominator(10**9)}"\nmasses = [2, 3, 1]\n'
+                "positions = [[2, 0], [0, 0], [4, 0]]\nvelocities = [[0, 0], [1, 0], [0, 0]]\n"
+            )
+            fate = decide_scene(
+                read_scene("scene", scene.read_bytes()), Budget(100, None, 128, 512)
+            )
+            assert fate.collisions == count
 
 
 def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:

@@ -5,7 +5,12 @@ from __future__ import annotations
 from verify.cli import claims
 from verify.cli.files import test_folder
 from verify.cli.options import Options, Usage
-from verify.paper.commands.classification import at_masses, at_restitution, verdict_at
+from verify.paper.commands.classification import (
+    at_masses,
+    at_restitution,
+    on_a_line,
+    verdict_at,
+)
 from verify.paper.commands.pages import accepted
 from verify.paper.meaning import MEANING
 from verify.paper.source import PAPER
@@ -13,6 +18,8 @@ from verify.prover.outcome import EXIT_CODES
 from verify.spheres.parameters import restitution, three_positive
 from verify.views.classification import (
     classification_document,
+    line_document,
+    line_lines,
     masses_document,
     masses_lines,
     meaning_lines,
@@ -21,12 +28,11 @@ from verify.views.classification import (
     theorem_lines,
 )
 from verify.views.row_lists import screen
-from verify.wire.inputs import InputError
 
 USAGE = Usage(
     {
         "--r R": "what the theorems say at R in (0, 1] (exact: 0.08, 2/25 or 8e-2)",
-        "--masses M,M,M": "and of three balls with these masses, with --r",
+        "--masses M,M,M": "what is possible for these masses, at R or by r",
         **claims.OPTIONS,
     }
 )
@@ -36,8 +42,6 @@ def run(options: Options) -> int:
     """Print the theorems or the document, write the files, return the exit code."""
     r = None if options.r is None else restitution(options.r, elastic=True)
     masses = None if options.masses is None else three_positive("--masses", options.masses)
-    if masses is not None and r is None:
-        raise InputError("--masses: add --r R, the coefficient of restitution of all pairs")
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = accepted("classification")
     found = None if r is None else at_restitution(r)
@@ -49,11 +53,16 @@ def run(options: Options) -> int:
             accepted("alexander")
         document |= restitution_document(found)
         asked += restitution_lines(found)
-    if masses is not None and r is not None:
+    if masses is not None:
         accepted("classification_of_balls")
-        about = at_masses(masses, r)
-        document |= masses_document(about)
-        asked += ["", *masses_lines(about)]
+        if r is None:
+            by_r = on_a_line(masses)
+            document |= line_document(masses, by_r)
+            asked += line_lines(masses, by_r)
+        else:
+            about = at_masses(masses, r)
+            document |= masses_document(about)
+            asked += ["", *masses_lines(about)]
     text = [*meaning_lines(MEANING, PAPER), ""] if options.verbose else []
     text += theorem_lines(outcome, PAPER)
     if verdict != outcome.verdict:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
 from typing import Any
 
 from verify.language.statement import PROVED
@@ -10,7 +11,7 @@ from verify.prover.decimals import exact_number, rational_text, short
 from verify.prover.outcome import Outcome
 from verify.publication import Publication
 from verify.views.document import claims_document, pair
-from verify.views.findings import AtMasses, AtR
+from verify.views.findings import AtMasses, AtR, Count, OnALine
 from verify.views.restitution import UNLESS
 from verify.views.words import summary
 
@@ -152,6 +153,53 @@ def almost_every(*, comes_to_rest: bool) -> str:
         "  in dimension 2 or more almost every start has finitely many collisions"
         f"{regime} (certificates/alexander)"
     )
+
+
+def line_lines(masses: Iterable[Fraction], found: Sequence[OnALine]) -> Iterator[str]:
+    """What is possible with three masses, by r."""
+    told = ", ".join(map(exact_number, masses))
+    yield f"Balls of masses {told} and any radii, with one r in (0, 1] for all pairs"
+    for share in dict.fromkeys(one.share for one in found):
+        alike = [one for one in found if one.share == share]
+        *others, last = [str(one.ball) for one in alike]
+        names = f"{', '.join(others)} or {last}" if others else last
+        yield f"  no collapse has ball {names} in the middle for r > {_least(alike[0].endless)}"
+        yield "    on a line, where another one hits it, and it and the third are at rest:"
+        above = ""
+        for count in alike[0].counts:
+            bounds = "r = 1" if count.exact == "1" else f"{_least(count)} ≤ r{above}"
+            above = f" < {count.exact or short(count.least_r)}"
+            yield f"      {count.collisions} collisions for {bounds}"
+        yield (
+            "      and so on: at least N collisions for r < M/(c+√(c²-M))², where "
+            f"c = cos(π/N) and M = {exact_number(share)}"
+        )
+        end = alike[0].endless
+        yield f"      collisions without end for r ≤ {end.exact or short(end.least_r)}"
+    yield "  given certificates/classification-of-balls"
+
+
+def _least(count: Count) -> str:
+    if not count.exact:
+        return short(count.least_r)
+    return count.exact if "√" not in count.exact else f"{count.exact} = {short(count.least_r)}"
+
+
+def line_document(masses: Iterable[Fraction], found: Iterable[OnALine]) -> dict[str, Any]:
+    """The part of the document that belongs to three masses and all r."""
+    middles = [
+        {
+            "ball": about.ball,
+            "share": rational_text(about.share),
+            "largest_r": pair(about.endless.least_r),
+            "on_a_line": [
+                {"collisions": one.collisions, "least_r": pair(one.least_r), "exact": one.exact}
+                for one in about.counts
+            ],
+        }
+        for about in found
+    ]
+    return {"masses": [rational_text(mass) for mass in masses], "middles": middles}
 
 
 def masses_document(found: AtMasses) -> dict[str, Any]:

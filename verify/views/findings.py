@@ -96,6 +96,31 @@ class AtMasses(Record):
     middles: tuple[AboutMiddle, ...]
 
 
+class Count(Record):
+    """A number of collisions, and the least r with so many: enclosed, and written exactly.
+
+    ``exact`` is empty where the number is no quadratic one, or long.
+    """
+
+    collisions: int
+    least_r: Ends
+    exact: str
+
+
+class OnALine(Record):
+    """Collisions on a line, where one of two outer balls hits the two others, at rest, by r.
+
+    ``share`` is M = m_1 m_2/((m_0+m_1)(m_0+m_2)), for ball 0 in the middle. Up to ``endless`` there
+    is no end of collisions, and above it no collapse with this ball in the middle, on a line or
+    not. The first of ``counts`` is for all r up to 1.
+    """
+
+    ball: int
+    share: Fraction
+    endless: Count
+    counts: tuple[Count, ...]
+
+
 VECTORS = ("vector_0", "vector_plus")
 
 

@@ -209,6 +209,11 @@ so(P, "r(qA+B)(K-κ)/(pP)", has(A, "under-apart: e*(q*A + B)*(K - k) <= (X - x)*
 so(P, "at which it is 1", has(A, "h is where the factor is 1"))
 so(P, "z ≥ h", has(A, "record-place: h <= z;"))
 so(P, "Let 1+x be the quotient", has(A, "x is κ_b/κ_a - 1"))
+so(
+    P,
+    "q' ≥ r/(α-q) and κ' ≥ κq/(α-q)² but",
+    has(A, "below-limit: e <= x*", "below-growth: k*q <= v*(1 + d)*"),
+)
 so(P, "(x+D)", has(A, "off: H + g*Y + g*(x + D)"))
 so(
     P,

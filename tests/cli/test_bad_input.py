@@ -134,6 +134,8 @@ def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["export", "coq", "folder"], "name a certificate's folder"),
         (["explain", "flow", "contac"], "is it contact"),
         (["explain", ""], "there is no row ''"),
+        (["explain", "zeta-total", "--r", "0.9"], "write numbers at which all hold: --r 0.03"),
+        (["explain", "zeta-all", "--r", "0.03"], "in 'theorem1'; is it "),
         (["map", "phi"], "--r: is missing"),
         (["report", "--directory", "empty"], "is not a folder"),
         (["certify", "--compare", "--directory", "missing"], "is not a folder"),

@@ -380,6 +380,7 @@ def test_an_induction() -> None:
         ('"1 + sqrt(2)"', '"sum(1/k, k, 0, 2)"', "divides by zero"),
         ('"1 + sqrt(2)"', '"sum(k 2, k, 1, 2)"', "'2' follows, and does not belong there"),
         ('"1 + sqrt(2)"', '"1 # 2"', "cannot read '# 2'"),
+        ('"1 + sqrt(2)"', '"2⁻¹"', "cannot read '⁻¹'; write x^-2 for x⁻²"),
         ('"1 + sqrt(2)"', '"2,50"', "',' follows, and does not belong there; write 2.50"),
         ('"y < d"', '"y =< d"', "'<' follows, where a number or a name is missing; write <="),
         ('"y < d"', '"y => d"', "'>' follows, where a number or a name is missing; write >="),

@@ -216,8 +216,9 @@ def _certify(folder: str, found: Separatrix) -> str:
     try:
         outcome = decide_value(point)
     except TooLongError:
-        why = "the orbits next to f are too long for the checker; ask for fewer --digits"
-        print(f"verify: no certificate was written: {why}", file=sys.stderr)
+        why = "the orbits next to f are too long for the checker"
+        what = "ask for fewer --digits, and write --r and the other numbers with fewer"
+        print(f"verify: no certificate was written: {why}; {what}", file=sys.stderr)
         return ""
     write_certificate("--out", folder, outcome)
     return outcome.statement.title

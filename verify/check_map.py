@@ -1014,7 +1014,7 @@ def polynomial(term: Term) -> Polynomial | None:
     for power, value in products:
         found[power] = found.get(power, Fraction(0)) + value
     parts = chain.from_iterable(value.as_integer_ratio() for value in found.values())
-    is_short = max(map(int.bit_length, parts), default=0) <= MAX_BITS
+    is_short = max(map(int.bit_length, parts)) <= MAX_BITS
     return found if is_short and len(found) <= MAX_COEFFICIENTS else None
 
 

@@ -457,6 +457,11 @@ def test_terms_have_short_numbers(kind: check_map.Arithmetic) -> None:
             found = ("*", F(1 << 127), found)
         return found
 
+    many: check_map.Term = F(1)
+    for count in range(1, check_map.MAX_COEFFICIENTS + 1):
+        many = ("*", ("+", "x", F(1)), many)
+        found = check_map.polynomial(many)
+        assert (found is not None) is (count < check_map.MAX_COEFFICIENTS)
     most = check_map.MAX_BITS - 1
     for under in (F(1), F(3)):
         assert check_map.polynomial(("/", power(most), under)) == {(0, 0): (1 << most) / under}

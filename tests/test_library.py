@@ -18,7 +18,7 @@ from mypy import api
 
 from tests.readme_commands import ROOT
 from verify.language.errors import OwnError
-from verify.language.terms import as_term, cos, sqrt
+from verify.language.terms import any_of, as_term, cos, sqrt
 from verify.library import (
     always,
     applies,
@@ -344,6 +344,16 @@ def test_a_notebook_shows_the_formulas_and_the_verdicts() -> None:
          "the context v is within unit, which has to come before it"),
         (lambda: prove(lemma("t", [ask("r", 0 < as_term(1))])).decision("s"), InputError,
          "there is no row 's'; write one of r"),
+        (lambda: applies("unit", {"x": 1}), TypeError, "'unit' is no context; make one by for_all"),
+        (lambda: always("unit", {}, {}), TypeError, "'unit' is no context; make one by for_all"),
+        (lambda: ask("r", x <= 1, uses=["g"]), TypeError, "its uses is 'g'; make it by assume"),
+        (lambda: any_of([x <= 1, 2 <= x]), TypeError, "is no claim; write any_of(x <= 1, 2 <= x)"),
+        (lambda: prove("page.toml"), TypeError, "is 'page.toml'; make it by lemma or read_page"),
+        (lambda: prove(lemma("t", []), hints={"r": "squares"}), TypeError,
+         "the hint for r is 'squares'; make it by Hint"),
+        (lambda: certificate(lemma("t", [])), TypeError, "make it by prove"),
+        (lambda: write_page(prove(lemma("t", [ask("r", 0 < as_term(1))]))), TypeError,
+         "make it by lemma"),
     ],
 )  # fmt: skip
 def test_what_is_said_of_a_mistake(

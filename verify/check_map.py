@@ -51,7 +51,7 @@ MAX_STEPS, MAX_WORK = 2000, 290_000
 #: To begin with a box costs as much as so many steps.
 BOX_PRICE = 3
 MAX_FIRST, MAX_LEVEL, MAX_DIGITS, MAX_SIXES = 8, 40, 40, 64
-#: Of a line in bytes, and of a number of a state in bits: a collision can double its length.
+#: Of a line in bytes, and of a number of a state or a term in bits: a collision can double it.
 MAX_LINE, MAX_BITS = 1 << 24, 16 * PLACES
 #: Of the fraction of the area, in bits.
 MAX_AREA = 1 << 13
@@ -988,7 +988,7 @@ def varying(plane: Through | Family) -> list[tuple[Place, Term]]:
 
 #: A polynomial of x and y: the coefficient of x^i y^j, by i and j.
 Polynomial = dict[tuple[int, int], Fraction]
-#: Polynomials with more coefficients are not used.
+#: Polynomials with more coefficients, or with more than MAX_BITS bits in one, are not used.
 MAX_COEFFICIENTS = 100
 
 
@@ -1013,7 +1013,9 @@ def polynomial(term: Term) -> Polynomial | None:
     found: Polynomial = {}
     for power, value in products:
         found[power] = found.get(power, Fraction(0)) + value
-    return found if len(found) <= MAX_COEFFICIENTS else None
+    parts = chain.from_iterable(value.as_integer_ratio() for value in found.values())
+    is_short = max(map(int.bit_length, parts)) <= MAX_BITS
+    return found if is_short and len(found) <= MAX_COEFFICIENTS else None
 
 
 def on_a_line(plane: Plane) -> bool:
@@ -1056,7 +1058,7 @@ def value_of(kind: Arithmetic, term: Term, x: Number, y: Number) -> Number:
     """A term at the parameters.
 
     Raises:
-        RefusedError: if a divisor may be 0.
+        RefusedError: if a divisor may be 0, or a number is very long.
     """
     if isinstance(term, Fraction):
         return number(kind, term)
@@ -1069,7 +1071,10 @@ def value_of(kind: Arithmetic, term: Term, x: Number, y: Number) -> Number:
     b = value_of(kind, two, x, y)
     if name == "/" and b[1] < 0:
         a, b = kind.neg(a), kind.neg(b)
-    return {"+": kind.add, "-": kind.sub, "*": kind.mul, "/": kind.div}[name](a, b)
+    found = {"+": kind.add, "-": kind.sub, "*": kind.mul, "/": kind.div}[name](a, b)
+    if max(map(int.bit_length, found)) > MAX_BITS:
+        raise RefusedError("the numbers of a term are too large to go on")
+    return found
 
 
 def turns(plane: Plane, key: str) -> bool:

@@ -241,7 +241,7 @@ def root_between(
 
 def applies(context: Context, at: Mapping[str, Number]) -> Applies:
     """The claim that these values satisfy all givens of a context."""
-    _same_names(f"applies to {context.name}", context, at)
+    _same_names(f"applies to {_context('applies', context).name}", context, at)
     return Applies(context.name, {name: as_term(value) for name, value in at.items()})
 
 
@@ -252,7 +252,7 @@ def always(
 
     The givens of the context are carried or standing; its row is an induction.
     """
-    _same_names(f"start in {context.name}", context, start)
+    _same_names(f"start in {_context('always', context).name}", context, start)
     _same_names(f"following in {context.name}", context, following)
     return Always(
         context.name,
@@ -282,7 +282,8 @@ def ask(
     if role not in (NEEDED, PRINTED):
         raise InputError(f"the row {name}: role {shown(role)} is unknown; write needed or printed")
     asked = claim if isinstance(claim, Applies | Always) else _claim(f"the row {name}", claim)
-    names = tuple(assumption.name for assumption in uses)
+    where = f"the row {name}: one of its uses"
+    names = tuple(_made("assume", where, assumption, Assumption).name for assumption in uses)
     context = None if within is None else _context(f"the row {name}", within).name
     return Obligation(name, "", label, role, says, asked, uses=names, context=context)
 
@@ -380,12 +381,15 @@ def prove(
         InputError: for a statement that the checker cannot read.
         OwnError: if the checker refuses a proof.
     """
+    _made("lemma or read_page", "prove: the statement", statement, Statement)
+    for row, hint in hints.items():
+        _made("Hint", f"prove: the hint for {row}", hint, Hint)
     return Result(*decide(statement, _budget(work, seconds, watch), hints))
 
 
 def certificate(outcome: Outcome) -> dict[str, bytes]:
     """The files of a certificate, by name, for `verify.check.check` or for a folder."""
-    return write(outcome)
+    return write(_made("prove", "certificate: the outcome", outcome, Outcome))
 
 
 def read_page(path: str | PathLike[str]) -> Statement:
@@ -444,7 +448,7 @@ def _budget(work: int, seconds: float | None, watch: Callable[[str], None] | Non
 
 def write_page(statement: Statement) -> str:
     """The statement as a page of constants, in the text format."""
-    return page_text(statement)
+    return page_text(_made("lemma", "write_page: the statement", statement, Statement))
 
 
 # --- what is said of values of the wrong kind ----------------------------------------------------
@@ -474,6 +478,13 @@ def _context(where: str, context: object) -> Context:
     if not isinstance(context, Context):
         raise TypeError(f"{where}: {context!r:.60} is no context; make one by for_all")
     return context
+
+
+def _made(maker: str, where: str, value: Item, kind: type) -> Item:
+    """The value, which has to be of its kind."""
+    if not isinstance(value, kind):
+        raise TypeError(f"{where} is {value!r:.60}; make it by {maker}")
+    return value
 
 
 def _same_names(where: str, context: Context, values: Mapping[str, Number]) -> None:

@@ -454,6 +454,33 @@ def test_quotients_are_polynomials_if_the_divisor_is_a_number() -> None:
     assert check_map.polynomial(("+", ("*", "y", power), F(1))) is None
 
 
+@pytest.mark.parametrize("kind", [INTERVALS, MODELS])
+def test_terms_have_short_numbers(kind: check_map.Arithmetic) -> None:
+    """A thousand operations on long numbers take minutes, and cost no more than on short ones."""
+
+    def power(bits: int) -> check_map.Term:
+        found: check_map.Term = F(1 << bits % 127)
+        for _ in range(bits // 127):
+            found = ("*", F(1 << 127), found)
+        return found
+
+    many: check_map.Term = F(1)
+    for count in range(1, check_map.MAX_COEFFICIENTS + 1):
+        many = ("*", ("+", "x", F(1)), many)
+        found = check_map.polynomial(many)
+        assert (found is not None) is (count < check_map.MAX_COEFFICIENTS)
+    most = check_map.MAX_BITS - 1
+    for under in (F(1), F(3)):
+        assert check_map.polynomial(("/", power(most), under)) == {(0, 0): (1 << most) / under}
+        assert check_map.polynomial(("/", under, power(most))) == {(0, 0): under / (1 << most)}
+        assert check_map.polynomial(("/", power(most + 1), under)) is None
+        assert check_map.polynomial(("/", under, power(most + 1))) is None
+    units = most - check_map.PLACES
+    assert check_map.value_of(kind, power(units), None, None)[0] == 1 << most
+    with pytest.raises(RefusedError, match="numbers of a term are too large"):
+        check_map.value_of(kind, power(units + 1), None, None)
+
+
 # --- what is malformed ----------------------------------------------------------------------------
 
 SPOILT: dict[str, dict[str, Any]] = {

@@ -209,7 +209,20 @@ def test_a_folder_stands_for_the_certificates_below_it(
     assert (code, out) == (2, "")
     assert "mean/certificate.json' does not exist" in err
     assert main(["export", "coq", str(EXAMPLES)]) == 2
-    assert "name one" in capsys.readouterr().err
+    assert f"name one, such as '{EXAMPLES / 'agm'}'" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("system", ["coq", "text"])
+def test_what_comes_with_the_program_is_exported_with_what_it_cites(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, system: str
+) -> None:
+    assert main(["export", system, str(EXAMPLES.parent / "theorem1-all")]) == 0
+    whole = capsys.readouterr()
+    monkeypatch.chdir(tmp_path)
+    assert main(["export", system, "theorem1-all"]) == 0
+    assert capsys.readouterr() == whole
+    (tmp_path / "theorem1-all").mkdir()  # a folder of this name goes before it
+    assert main(["export", system, "theorem1-all"]) == 2
 
 
 @pytest.mark.parametrize(

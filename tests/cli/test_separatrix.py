@@ -180,6 +180,7 @@ def test_what_is_too_long_for_the_checker_is_not_written(
     out, err = capsys.readouterr()
     assert "Verdict: proved: f is enclosed to 12 digits" in out
     assert "no certificate was written: the orbits" in err
+    assert "fewer --digits, and write --r and the other numbers with fewer" in err
     assert list(tmp_path.iterdir()) == []
 
 

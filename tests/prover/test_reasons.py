@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from verify.language.statement import UNDECIDED
+from verify.language.statement import PROVED, UNDECIDED
 from verify.language.terms import Claim, as_term, log, sqrt, symbol
 from verify.library import always, ask, for_all, lemma, prove
 from verify.prover.lengths import MAX_BITS, Lengths
@@ -66,6 +66,18 @@ def test_the_claim_that_an_induction_lacks_is_named() -> None:
     assert found.reason == (
         "its given low was not shown at the start; ask it as a row before: 0 ≤ -1"
     )
+
+
+def test_an_induction_is_asked_around_its_context() -> None:
+    outer = for_all("outer", (), {"a": 0})
+    for around, where in ((None, "no context, under [rows]"), (outer, "outer")):
+        place = for_all("step", (), {"x": 0}, within=around, carried={"low": 0 <= x})
+        rows = [ask("always", always(place, {"x": 0}, {"x": x + 1}), place)]
+        found = prove(lemma("title", rows, [], [outer, place])).decisions["always"]
+        why = f"the context step is not one inside that of the row; ask it in {where}"
+        assert (found.verdict, found.reason) == (UNDECIDED, why)
+        rows = [ask("always", always(place, {"x": 0}, {"x": x + 1}), around)]
+        assert prove(lemma("title", rows, [], [outer, place])).claimed == PROVED
 
 
 def test_an_induction_asks_for_carried_givens() -> None:

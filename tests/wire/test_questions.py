@@ -456,3 +456,20 @@ def test_a_proof_with_a_number_that_the_checker_does_not_read(
     )
     assert main(["prove", str(path)]) == 3
     assert "proved    other" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("constant", "says"),
+    [
+        ('{ value = "0", choose = "down" }', "the bound of half is not positive; write its value"),
+        ('{ value = "-1/3", choose = "up" }', "the bound of half is not positive; write its value"),
+        ('{ value = "1", choose = "up", above = "1" }', "the bound of half is not above 1; write"),
+    ],
+)
+def test_a_constant_that_cannot_be_chosen_is_named(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, constant: str, says: str
+) -> None:
+    page = f'title = "t"\n[constants]\nhalf = {constant}\n[rows]\nrow = "half < 2"\n'
+    (tmp_path / "page.toml").write_text(page)
+    assert main(["prove", str(tmp_path / "page.toml")]) == 2
+    assert says in capsys.readouterr().err

@@ -114,11 +114,14 @@ def _inside(folder: str, outcome: Outcome, word: str, options: Options) -> list[
     """The row in one statement, or the rows of a label there."""
     from verify.paper.source import PAPER  # loaded only where they are used
     from verify.views.explain import explain, labelled
+    from verify.views.words import DOES_NOT_APPLY, headline
 
     text = explain(outcome, word, PAPER, exact=options.verbose) or labelled(outcome, word)
     if not text:
         names = get_close_matches(word, sorted(explained_in(outcome)), 3, 0.6)
         near = f"is it {', '.join(names)}?" if names else "write a name of its report, or a label"
+        if headline(outcome) == DOES_NOT_APPLY:
+            near = "a hypothesis does not hold there; write numbers at which all hold: --r 0.03"
         raise InputError(f"row: there is no row {shown(word)} in {shown(folder)}; {near}")
     return [_title(folder, outcome), *text]
 

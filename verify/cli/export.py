@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from hashlib import sha256
 
 from verify.check import Folder
-from verify.cli.check import folders_at
+from verify.cli.check import LONGEST_PATH, folders_at
 from verify.cli.options import Options, Usage
 from verify.wire.inputs import InputError, shown
 
@@ -29,10 +30,7 @@ def run(options: Options) -> int:
     """Print the file; return 0."""
     if options.system not in SYSTEMS:
         raise InputError(f"system: {shown(options.system)} is not known; write coq or text")
-    found = folders_at([options.folder])
-    if len(found) > 1:
-        raise InputError(f"folder: {shown(options.folder)} has {len(found)} certificates; name one")
-    (folder,) = found
+    folder = _named(options.folder)
     if options.system == "text":
         return _print_page(folder, options)
     from verify.spheres.coq.motion import about_balls  # loaded only where they are used
@@ -49,6 +47,24 @@ def run(options: Options) -> int:
         raise InputError(f"folder: {shown(options.folder)} {what} ({reason})") from error
     sys.stdout.write(text)
     return 0
+
+
+def _named(path: str) -> Folder:
+    """The certificate of a name. One that comes with the program has what it cites beside it.
+
+    Raises:
+        InputError: if it is the name of none, or of several.
+    """
+    folder, *others = folders_at([path])
+    if others and os.path.lexists(path):
+        one = shown(folder.path, LONGEST_PATH)
+        raise InputError(
+            f"folder: {shown(path)} has {len(others) + 1} certificates; name one, such as {one}"
+        )
+    if not others:
+        return folder  # with what lies in it to be cited
+    proofs = [(other.statement, other.certificate) for other in others]
+    return folder._replace(cited=[other.statement for other in others], proofs=proofs)
 
 
 def _print_page(folder: Folder, options: Options) -> int:

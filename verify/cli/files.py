@@ -8,7 +8,6 @@ import signal
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
-from errno import EISDIR
 from functools import cache
 
 from verify.language.errors import UnreadError
@@ -134,7 +133,7 @@ class _Writing:
         """Write a file beside its place; where a link names the place, the link stays."""
         target = os.path.join(self._directory, name)
         if os.path.isdir(target):
-            raise IsADirectoryError(EISDIR, os.strerror(EISDIR), target)
+            raise InputError(f"{self._option}: {shown(target)} is a folder; name another place")
         if os.path.exists(target) and not os.path.isfile(target):  # /dev/null, say, would be gone
             raise InputError(f"{self._option}: {shown(target)} is no regular file; name another")
         target = os.path.realpath(target)

@@ -9,7 +9,7 @@ from itertools import chain
 
 from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_file
-from verify.cli.options import Options, leave_out
+from verify.cli.options import Options, chosen, leave_out
 from verify.cli.terminal import show
 from verify.cli.theorem1_point import DEFAULTS, POINT_OPTIONS
 from verify.language.record import TYPE_CHECKING
@@ -81,7 +81,7 @@ def _box(options: Options) -> int:
     others = (*POINT_OPTIONS, "constants", "csv", "jobs")
     leave_out(options, others, "leave it out with A..B", DEFAULTS)
     r = interval("--r", options.r, restitution, points=True)
-    c = interval("--neg-cos", options.neg_cos or "1", neg_cos, points=True)
+    c = interval("--neg-cos", chosen(options.neg_cos, "1"), neg_cos, points=True)
     v_0 = positive("--V0", options.V0)
     delta_theta = positive("--delta-theta", options.delta_theta)
     test_folder("--out", options.out, "statement.json", "certificate.json")

@@ -18,7 +18,7 @@ from verify.cli.map_boxes import (
     test_tables,
     write_tables,
 )
-from verify.cli.options import JSON, Options, Usage, leave_out
+from verify.cli.options import JSON, Options, Usage, chosen, leave_out
 from verify.cli.scene_sample import point_in
 from verify.cli.steps import MAX_JOBS
 from verify.cli.terminal import erase, is_watched, width, wrapped
@@ -88,14 +88,15 @@ def read_plane(options: Options) -> Plane:
         raise InputError("--at: is for the file of a scene; leave it out")
     if options.r is None:
         raise InputError("--r: is missing; write a number like 0.03")
-    r, c = restitution(options.r), neg_cos(options.neg_cos or "1")
-    speed = positive("--speed", options.speed or "1/100")
-    words = (options.tangential or "1,1").split(",")
+    r, c = restitution(options.r), neg_cos(chosen(options.neg_cos, "1"))
+    speed = positive("--speed", chosen(options.speed, "1/100"))
+    words = chosen(options.tangential, "1,1").split(",")
     if len(words) != 2:
         raise InputError(f"--tangential: {shown(options.tangential)} is no pair; write 1,1")
     u_c, u_s = (rational("--tangential", word) for word in words)
     width = "0..1/2" if options.strip is None else "1/100..9/25"
-    x, y = interval_in("--x", options.x or width), interval_in("--y", options.y or "0..1/4")
+    x = interval_in("--x", chosen(options.x, width))
+    y = interval_in("--y", chosen(options.y, "0..1/4"))
     if min(x[0], y[0]) < 0:
         raise InputError("--x, --y: φ1 and φ2 are not negative; write intervals from 0 on")
     return Phi(r, c, speed, (u_c, u_s), x, y)
@@ -120,10 +121,10 @@ def _read_scenes(options: Options) -> Plane:
 def run(options: Options) -> int:
     """Grow the map, write what is asked for, print the areas, return the exit code."""
     plane, delta = read_plane(options), _delta(options)
-    least = share("--undecided", options.undecided or "1%") if delta is None else Fraction(0)
+    least = share("--undecided", chosen(options.undecided, "1%")) if delta is None else Fraction(0)
     test_tables(options, plane)
     boxes = integer("--boxes", options.boxes, 1, MAX_BOXES)
-    level = integer("--level", options.level or str(MAX_LEVEL), 1, MAX_LEVEL)
+    level = integer("--level", chosen(options.level, str(MAX_LEVEL)), 1, MAX_LEVEL)
     jobs = integer("--jobs", options.jobs, 1, MAX_JOBS)
     from verify.spheres.map.grow import Target  # numpy is loaded only where it is used
     from verify.spheres.map.log import LogMismatchError, Progress, plane_document

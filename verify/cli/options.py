@@ -30,6 +30,11 @@ def field(name: str) -> str:
     return name.lstrip("-").replace("-", "_")
 
 
+def chosen(value: str | None, default: str) -> str:
+    """What was written, or the default where nothing was; an empty text was written, too."""
+    return default if value is None else value
+
+
 def leave_out(
     options: Options,
     names: Iterable[str],

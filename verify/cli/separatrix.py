@@ -13,7 +13,17 @@ from fractions import Fraction
 
 from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_certificate, write_file
-from verify.cli.options import CERTIFICATE, COLOR, JSON, ROWS, VERBOSE, Options, Usage, leave_out
+from verify.cli.options import (
+    CERTIFICATE,
+    COLOR,
+    JSON,
+    ROWS,
+    VERBOSE,
+    Options,
+    Usage,
+    chosen,
+    leave_out,
+)
 from verify.cli.terminal import show
 from verify.spheres.limit_map import Parameters
 from verify.spheres.parameters import neg_cos, restitution, three_positive
@@ -131,7 +141,7 @@ def _point(options: Options) -> int:
 def _curves(options: Options) -> int:
     """How f moves with r."""
     leave_out(options, ("at", "out"), "takes a single r; write for example --r 0.03")
-    count = integer("--steps", options.steps or DEFAULTS["steps"], 2, MAX_STEPS)
+    count = integer("--steps", chosen(options.steps, DEFAULTS["steps"]), 2, MAX_STEPS)
     digits, budget = _digits(options, CURVE_DIGITS), _budget(options)
     points = [_parameters(options, r) for r in _values(options.r, count)]
     found = [decide_separatrix(point, None, digits, budget) for point in points]
@@ -156,9 +166,12 @@ def _curves(options: Options) -> int:
 
 
 def _parameters(options: Options, r: Fraction) -> Parameters:
-    c, ratio = options.neg_cos or DEFAULTS["neg_cos"], options.ratio or DEFAULTS["ratio"]
+    c, ratio = (
+        chosen(options.neg_cos, DEFAULTS["neg_cos"]),
+        chosen(options.ratio, DEFAULTS["ratio"]),
+    )
     given = {"--masses": options.masses, "--radii": options.radii}
-    balls = (three_positive(name, text or DEFAULTS["balls"]) for name, text in given.items())
+    balls = (three_positive(name, chosen(text, DEFAULTS["balls"])) for name, text in given.items())
     return Parameters(r, neg_cos(c), positive("--ratio", ratio), *balls)
 
 
@@ -172,11 +185,11 @@ def _at(options: Options) -> Fraction | None:
 
 
 def _digits(options: Options, otherwise: str = DEFAULTS["digits"]) -> int:
-    return integer("--digits", options.digits or otherwise, 1, MAX_DIGITS)
+    return integer("--digits", chosen(options.digits, otherwise), 1, MAX_DIGITS)
 
 
 def _budget(options: Options) -> int:
-    return integer("--budget", options.budget or DEFAULTS["budget"], 1, MAX_BUDGET)
+    return integer("--budget", chosen(options.budget, DEFAULTS["budget"]), 1, MAX_BUDGET)
 
 
 def _values(text: str, count: int) -> list[Fraction]:
@@ -203,8 +216,9 @@ def _certify(folder: str, found: Separatrix) -> str:
     try:
         outcome = decide_value(point)
     except TooLongError:
-        why = "the orbits next to f are too long for the checker; ask for fewer --digits"
-        print(f"verify: no certificate was written: {why}", file=sys.stderr)
+        why = "the orbits next to f are too long for the checker"
+        what = "ask for fewer --digits, and write --r and the other numbers with fewer"
+        print(f"verify: no certificate was written: {why}; {what}", file=sys.stderr)
         return ""
     write_certificate("--out", folder, outcome)
     return outcome.statement.title

@@ -224,8 +224,12 @@ def any_of(*claims: Claim) -> Claim:
     least 0); for equations, that the product of the differences is 0.
 
     Raises:
+        TypeError: for what is no claim, such as a list of some.
         ValueError: for claims of more than one relation, for which one claim does not stand.
     """
+    for claim in claims:
+        if not isinstance(claim, Claim):
+            raise TypeError(f"{claim!r:.60} is no claim; write any_of(x <= 1, 2 <= x)")
     if len({claim.relation for claim in claims}) != 1:
         written = " and ".join(dict.fromkeys(claim.relation for claim in claims)) or "no claim"
         raise ValueError(f"alternatives need one relation in all of them, not {written}")

@@ -43,6 +43,9 @@ def choose(ground: Ground, choice: Choice) -> Constant:
             raise ValueError(f"the base of {choice.constant.name} is not rational")
         base = exact
     (low, high), bits = _bound(ground, choice)
+    if low <= 0:
+        what = "positive" if choice.base is None else f"above {base}"
+        raise ValueError(f"the bound of {choice.constant.name} is not {what}")
     up = choice.direction == "up"
     candidates = [round_to_digits(end, up) for end in ((low, high) if up else (high, low))]
     value = base + candidates[0]

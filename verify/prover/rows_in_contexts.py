@@ -88,7 +88,9 @@ class RowsInContexts:
         """Show that the carried givens hold at the start, and at the next state."""
         context = self.known.contexts.get(claim.context)
         if context is None or context.parent != row.context:
-            return _undecided(f"the context {claim.context} is not one inside that of the row")
+            why = f"the context {claim.context} is not one inside that of the row"
+            place = context and (context.parent or "no context, under [rows]")
+            return _undecided(f"{why}; ask it in {place}" if place else why)
         plain = next((given.name for given in context.givens if given.kind == "plain"), None)
         if plain is not None:
             return _undecided(f"its given {plain} is neither carried nor standing; make it carried")

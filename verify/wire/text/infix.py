@@ -825,7 +825,7 @@ class _Reader:
         depth = 0
         for at in range(self.at, len(self.tokens)):
             kind, word = self.tokens[at]
-            depth += (word == "(") - (word == ")") if kind == "sign" else 0
+            depth += (word in {"(", "["}) - (word in {")", "]"}) if kind == "sign" else 0
             if kind == "end" or depth < 0 or (depth == 0 and (kind, word) == ("sign", ",")):
                 return at
         return self.at

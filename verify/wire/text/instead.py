@@ -17,6 +17,7 @@ _SIGNS: Mapping[str, str] = {
     r"[\\\\{}$]": "TeX is not read, write for example (a/b)*sqrt(x) <= alpha",
     "! *[a-z(]": "write !=",
     "!": "write prod(k, k, 1, 5) for 5!",
+    "[⁺⁻]": "write x^-2 for x⁻²",
     r"_\d": "write a number without signs between its digits, such as 1000",
     r"['’]\d": "a formula has no quotes in it",
     "['′]": "a name has no prime; write for example x_next",

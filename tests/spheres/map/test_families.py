@@ -73,17 +73,17 @@ def test_points_of_the_diagram_are_what_its_boxes_say(diagram: list[bytes]) -> N
         (key, letter)
         for line in map(json.loads, diagram[1:])
         for key, letter in zip(line["keys"].split(), line["verdicts"], strict=True)
-        if letter in "cd"
+        if letter in "cdo"
     ]
-    for key, letter in rng.sample(boxes, 40):
+    for key, letter in rng.sample(boxes, 60):
         column, row = check_map.corner(key)
         size = 2 ** len(key)
         share = [Fraction(place * 997 + rng.randint(0, 997), size * 997) for place in (column, row)]
         sides = [family.sides[name] for name in "rt"]
         r, t = (a + (b - a) * x for (a, b), x in zip(sides, share, strict=True))
         found = decide_scene(family.at({"r": r, "t": t})).verdict
-        assert found[0] == letter, (key, r, t)
-        seen[letter] += 1
+        assert found[0] == letter.replace("o", "d"), (key, r, t)
+        seen[found[0]] += 1
     assert min(seen.values()) >= 5
 
 

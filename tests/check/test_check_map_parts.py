@@ -59,7 +59,7 @@ def test_it_reaches_down_to_the_separatrix() -> None:
         ("start-d", {"eps": F(0), "rho": F(2)}, {"eps": F(1, 10**9)}),
         ("v-positive", {"A": F(0)}, {}),
         ("v-positive", {"B": F(0)}, {}),
-        ("decay-positive", {"v": F(1, 2), "u": F(1, 2)}, {"v": F(1, 10**3)}),
+        ("decay-positive", {"v": F(3, 5), "u": F(1, 2)}, {"v": F(1, 10**3)}),
         ("v_0-least", {"v": F(1, 5), "u": F(1, 2)}, {"v": F(1, 10**3)}),
         ("C-room", {"C": F(201, 100), "u": F(9, 10)}, {"C": F(199, 100)}),
         ("C-room", {"v": F(1, 10), "u": F(9, 10)}, {"v": F(1, 40)}),
@@ -208,6 +208,34 @@ def test_two_spheres_stay_apart(
         for k in range(400):
             t = F(k, 20)
             assert 1 + g + 2 * p * t + m * t**2 > (1 + shift * t) ** 2
+
+
+def test_two_spheres_of_a_box_stay_apart_in_all_its_scenes() -> None:
+    good = Three(*(check_map.around(F(x)) for x in (3, 1, 1)))
+    assert check_map._stay_apart(good, ONE // 2)
+    for name, low in (("g", F(-1, 4)), ("p", F(-4)), ("m", F(-1, 4))):
+        wide = good._replace(**{name: (int(low * ONE), getattr(good, name)[1])})
+        assert not check_map._stay_apart(wide, ONE // 2), name
+
+
+def test_a_gap_of_a_box_is_positive_in_all_its_scenes() -> None:
+    """Where q is large, the floor ends with any gap."""
+    law, z = check_map.law_of(F(3, 100)), state(rho=F(2))
+    for name in ("lam", "rho", "eps", "A", "B"):
+        high = getattr(z, name)[1]
+        assert check_map.parts(law, z)
+        for low in (0, -ONE // 4):
+            assert not check_map.parts(law, z._replace(**{name: (low, high)})), name
+
+
+def test_a_floor_that_goes_down_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    steps, least = [], check_map._least_u
+    monkeypatch.setattr(check_map, "_least_u", lambda *x: steps.append(x) or least(*x))
+    alpha, r, Q, U = (int(x * ONE) for x in (F(1, 2), F(3, 100), F(1, 5), F(1, 1000)))
+    assert not check_map._floor_ends(alpha, r, (ONE, ONE), Q, U)
+    assert len(steps) == 4
+    assert not check_map._floor_ends(alpha, r, (ONE, ONE), ONE // 100, U)
+    assert 4 < len(steps) < 200
 
 
 # --- the log --------------------------------------------------------------------------------------

@@ -757,7 +757,7 @@ def parts(law: Law, z: Sight) -> bool:
     y = (kind.div(kind.mul(z.lam, z.v), reach)[1],) * 2
     speeds = root(z.A[:2]), root(z.B[:2])
     v = (min(speeds[0][0], speeds[1][0]) >> 1,) * 2
-    G = (add(UNIT, div(square(y), square(v)))[1] + (ONE >> 40),) * 2
+    G = ((ONE >> 40) + add(UNIT, div(square(y), square(v)))[1],) * 2
     Lambda = mul(half, G)
     free = sub(UNIT, Lambda)
     if free[0] <= 0:  # decay-positive
@@ -772,8 +772,8 @@ def parts(law: Law, z: Sight) -> bool:
     Q = kind.mul(z.rho, kind.div(reach, z.lam))[0]
     rhos = [square(div((v_s, v_s), (w_c, w_c)))[0] for v_s, w_c in ((v_1, w_0), (v_0, w_1))]
     return (
-        mul(square(y), square(G))[1] <= mul(square(v), sub(square(G), UNIT))[0]  # start-reach
-        and C <= 2 * ONE  # C-room
+        C <= 2 * ONE  # C-room
+        and mul(square(y), square(G))[1] <= mul(square(v), sub(square(G), UNIT))[0]  # start-reach
         and _stay_apart(far(kind, z), shift)
         and _floor_ends(mul(Lambda, (C, C))[1], law.bounds[0], rhos, Q, _least_u(zeta, ONE))
     )

@@ -95,6 +95,13 @@ def test_the_worst_states_of_a_box_decide(place: str) -> None:
     assert found[0]
 
 
+def test_the_greatest_closing_speed_of_a_box_decides() -> None:
+    law, z = check_map.law_of(F(3, 100)), state(u=F(6, 100))
+    assert check_map.parts(law, z)
+    assert check_map.parts(law, z._replace(v=(1, 2 * z.v[1])))
+    assert not check_map.parts(law, z._replace(v=(1, ONE // 20)))
+
+
 def test_r_of_a_box_is_taken_at_both_ends() -> None:
     above = state(u=BORDER + F(1, 10**4))
     law = check_map.law_of(F(3, 100))

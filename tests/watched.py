@@ -444,6 +444,11 @@ said(
     in_thousands(M["states"]),
     M["digits of the first"],
 )
+BOXED = MEASURED["outside"]
+said(P, "{} % were undecided after {} boxes;", *BOXED["before"])
+said(P, "the theorem {} % are after {} boxes.", *BOXED["after"])
+said(P, "Of {} boxes in three", BOXED["boxes"])
+said(P, "all {} scenes disperse.", in_thousands(BOXED["scenes"]))
 said(P, "1 - (1-U')² = ρU(2Q+ρU)/P²", by=row("sandwich", "U-next-law"))
 said(P, "|W_c'|²/(|W_s|²(1+d')²)", by=row("sandwich", "exact-u"))
 said(

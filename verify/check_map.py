@@ -17,7 +17,9 @@ that the log has for it. What it takes on trust, besides itself and Python:
 * that the inequalities of `closes` imply a collapse: the theorem of `certificates/sharper`;
 * for spheres on a line, that those of `closes_on_a_line` do: the theorem of `certificates/line`;
 * that r > 7 - 4√3 leaves finitely many collisions, and so does r > 9 - 4√5 where the angular
-  momentum about the centre of mass is not 0: the theorem of `certificates/classification`.
+  momentum about the centre of mass is not 0: the theorem of `certificates/classification`;
+* that the inequalities of `parts` leave finitely many collisions of one sphere with the two others
+  in turn: the theorem of `certificates/outside`; that these two never meet is proved in `parts`.
 
 A scene in which two spheres just graze has the verdict that it gets whether this counts as a
 collision or not. Scenes with a triple contact or an overlap at the start are excluded.
@@ -38,7 +40,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache, lru_cache, partial
 from hashlib import sha256
-from itertools import chain
+from itertools import chain, count
 from math import isqrt
 from typing import Any, NamedTuple
 
@@ -51,14 +53,17 @@ MAX_STEPS, MAX_WORK = 2000, 290_000
 #: To begin with a box costs as much as so many steps.
 BOX_PRICE = 3
 MAX_FIRST, MAX_LEVEL, MAX_DIGITS, MAX_SIXES = 8, 40, 40, 64
+#: `parts` is asked once in so many steps, costs as much as so many, and tries so long a floor.
+EACH, PARTS_PRICE, MAX_FLOOR = 8, 200, 1000
 #: Of a line in bytes, and of a number of a state or a term in bits: a collision can double it.
 MAX_LINE, MAX_BITS = 1 << 24, 16 * PLACES
 #: Of the fraction of the area, in bits.
 MAX_AREA = 1 << 13
 
-#: The theorems that are taken on trust; their certificates have these names. The last two only
-#: where they are used: on a line, and where the verdict is that there are finitely many collisions.
-GIVEN, LINE, CLASSIFICATION = ("flow", "sharper"), "line", "classification"
+#: The theorems that are taken on trust; their certificates have these names. The last three only
+#: where they are used: on a line; where the verdict is that there are finitely many collisions; and
+#: where collisions are shown to end that were not followed to the last one.
+GIVEN, LINE, CLASSIFICATION, OUTSIDE = ("flow", "sharper"), "line", "classification", "outside"
 #: Of the terms of a family: how many operations they have in all, and how deep one goes.
 MAX_OPERATIONS, MAX_DEPTH = 1000, 60
 
@@ -729,6 +734,93 @@ def closes_on_a_line(law: Law, z: Sight) -> bool:
     return bool(2 * Q < half and r <= Q * (half - Q) >> PLACES)
 
 
+def parts(law: Law, z: Sight) -> bool:
+    """Whether all spheres part: o meets c and s in turn only so often, by `outside`, s never c.
+
+    The numbers of that theorem are chosen: v as half of the least speed, the others nearly as well
+    as they can be.
+
+    Until s and c meet, o meets them in turn. Say one of them, at x with a velocity W, approaches
+    at a speed y when it becomes the next one, and hits at a normal speed h. In free flight
+    (x·W)² - |W|²|x|² stays the same, so |x|²(|W|² - y²) = |W|² - h² <= |W|². As y <= -eta_c and
+    v <= |W|, start-reach gives |x| <= Γ, and h <= |x| y <= Γ y. The hit changes the velocity of o
+    by (1+r)/2 h; the other one had x·W >= 0 after its own hit, which grows in free flight, so now
+    it approaches at (1+r)/2 h <= Λ y at most. So the n-th h is at most Γ Λⁿ⁻¹ (-eta_c), and their
+    sum is at most shift = Γ (-eta_c)/(1 - Λ). It bounds what |W| loses: v + shift <= |W| at the
+    start is enough. The velocity of s seen from c changes by less: the two never meet if in free
+    flight their distance is above 1 + t shift at all times t.
+    """
+    if min(z.lam[0], z.rho[0], z.eps[0], z.A[0], z.B[0]) <= 0:
+        return False
+    kind, half = law.kind, (-(-(law.bounds[1] + ONE) >> 1),) * 2
+    reach = kind.root(kind.add(kind.one, kind.mul(z.eps, kind.square(z.v))))
+    y = (kind.div(kind.mul(z.lam, z.v), reach)[1],) * 2
+    speeds = root(z.A[:2]), root(z.B[:2])
+    v = (min(speeds[0][0], speeds[1][0]) >> 1,) * 2
+    G = ((ONE >> 40) + add(UNIT, div(square(y), square(v)))[1],) * 2
+    Lambda = mul(half, G)
+    free = sub(UNIT, Lambda)
+    if free[0] <= 0:  # decay-positive
+        return False
+    shift = div(mul(G, y), free)[1]
+    (v_0, w_0), (v_1, w_1) = ((low - shift, high + shift) for low, high in speeds)
+    turning = div(mul(mul(add(add((w_0, w_0), (w_1, w_1)), add(y, y)), G), y), mul(square(v), free))
+    C = max(kind.div(z.C, reach)[1], 0) + turning[1]
+    zeta = mul(kind.div(z.eps, kind.square(z.lam))[:2], square((v_0, v_0)))[0]
+    if min(v_0, v_1) < v[0] or zeta >= ONE:  # v_0-least, v_1-least, U_0-room
+        return False
+    Q = kind.mul(z.rho, kind.div(reach, z.lam))[0]
+    rhos = [square(div((v_s, v_s), (w_c, w_c)))[0] for v_s, w_c in ((v_1, w_0), (v_0, w_1))]
+    return (
+        C <= 2 * ONE  # C-room
+        and mul(square(y), square(G))[1] <= mul(square(v), sub(square(G), UNIT))[0]  # start-reach
+        and _stay_apart(far(kind, z), shift)
+        and _floor_ends(mul(Lambda, (C, C))[1], law.bounds[0], rhos, Q, _least_u(zeta, ONE))
+    )
+
+
+def parting(work: Work) -> Callable[[Law, Sight], bool]:
+    """The same, asked once in so many steps."""
+    steps = count(1)
+
+    def closing(law: Law, z: Sight) -> bool:
+        if next(steps) % EACH:
+            return False
+        work.spend(PARTS_PRICE)
+        return parts(law, z)
+
+    return closing
+
+
+def _stay_apart(pair: Three, shift: int) -> bool:
+    """Whether |x + w t| > 1 + t shift for all t >= 0."""
+    g, p, m = (x[:2] for x in pair)
+    slower, wide = sub(m, square((shift, shift))), (shift, shift)
+    return min(g[0], slower[0]) > 0 and looks(INTERVALS, sub(wide, p), slower, g) < 0
+
+
+def _least_u(load: int, P: int) -> int:
+    """A number u in [0, 1] with u (2 - u) <= load/P², where this is less than 1."""
+    return max(ONE - isqrt(ONE * ONE - load * ONE**3 // (P * P)) - 1, 0)
+
+
+def _floor_ends(alpha: int, r: int, rhos: Sequence[int], Q: int, U: int) -> bool:
+    """Whether a floor that begins at (Q, U) ends: P <= 0, or load >= P²; rhos alternate."""
+    old_Q, old_U = -1, -1
+    for n in range(MAX_FLOOR):
+        if n % 2 == 0:
+            if Q <= old_Q and U <= old_U:
+                return False  # it goes on, as the map keeps the order of points
+            old_Q, old_U = Q, U
+        pull = rhos[n % 2] * U >> PLACES
+        P = -(-alpha * (ONE - U) >> PLACES) - Q - pull
+        load = pull * (2 * Q + pull) >> PLACES
+        if P <= 0 or load * ONE >= P * P:
+            return True
+        Q, U = r * (ONE - U) // P, _least_u(load, P)  # floor-rises-Q, floor-rises-U
+    return False
+
+
 def check_finite(law: Law, turns: Callable[[], bool] = lambda: False) -> None:
     """Afterwards there are finitely many collisions; `turns` says whether L is not 0.
 
@@ -1224,7 +1316,7 @@ def prove(
 ) -> None:
     """Show a verdict for all branches of a box; None is one that ends.
 
-    A branch that collapses has six numbers, or is closing without any.
+    A branch that collapses has six numbers; or nothing is left to show where it is closing.
 
     Raises:
         RefusedError: if that fails.
@@ -1247,7 +1339,7 @@ def prove(
         work.spend(law.kind.price * (1 + len(numbers)) * (1 + (bits >> 8)))
         if any(closes(law, state, six) for six in numbers):
             continue
-        if verdict == "c" and closing(law, state):
+        if closing(law, state):
             continue
         may_end, more = after(law, state)
         waiting += [None, *more] if may_end else more
@@ -1277,7 +1369,8 @@ class Areas(NamedTuple):
     """How many boxes the log has, how many have a verdict, and the share of each verdict.
 
     `is_strip`: all tiles below the curve collapse, and all above it disperse. `runs` are those of
-    an interval of scenes, in order; what is between them is undecided.
+    an interval of scenes, in order; what is between them is undecided. `is_outside`: of some
+    boxes the theorem `outside` shows that they disperse.
     """
 
     boxes: int
@@ -1287,6 +1380,7 @@ class Areas(NamedTuple):
     is_strip: bool = False
     finite: Fraction = Fraction(0)
     runs: tuple[Run, ...] = ()
+    is_outside: bool = False
 
     @property
     def undecided(self) -> Fraction:
@@ -1344,11 +1438,14 @@ class Tally:
         self.shares = {"c": Fraction(0), "d": Fraction(0), "f": Fraction(0)}
         self.is_strip = isinstance(plane, Strip)
         self.parts: list[tuple[str, str]] = []
+        self.is_outside = False
 
     def add(self, key: str, letter: str) -> None:
         """A box with its verdict."""
         plane = self.plane
         self.proved += 1
+        if letter == "o":
+            letter, self.is_outside = "d", True
         self.shares[letter] = _and_share(self.shares[letter], plane, key)
         if isinstance(plane, Strip):
             self.is_strip = self.is_strip and letter == "cd"[is_above(plane, key)]
@@ -1359,7 +1456,9 @@ class Tally:
         """The areas; the log is whole if it leaves no box to be decided."""
         c, d, f = (self.shares[letter] for letter in "cdf")
         runs = tuple(_runs(self.plane, self.parts))
-        return Areas(self.boxes, self.proved, c, d, self.is_strip and is_whole, f, runs)
+        return Areas(
+            self.boxes, self.proved, c, d, self.is_strip and is_whole, f, runs, self.is_outside
+        )
 
 
 def _runs(plane: Plane, parts: list[tuple[str, str]]) -> Iterator[Run]:
@@ -1430,7 +1529,9 @@ def prove_box(
         work.spend(rules.price * here.kind.price)
         if letter == "f":
             check_finite(here, partial(rules.turns, key))
-        elif rules.is_line and not numbers:
+        elif letter == "o":
+            prove(here, begin(key), "d", [], work, parting(work))
+        elif letter == "c" and rules.is_line and not numbers:
             prove(here, begin(key), letter, numbers, work, closes_on_a_line)
         else:
             prove(here, begin(key), letter, numbers, work)
@@ -1492,8 +1593,8 @@ def _boxes(record: dict[str, Any], level: int) -> tuple[list[str], str, list[obj
     if not isinstance(keys, str) or not re.fullmatch("[0-3 ]*", keys):
         raise LogError("expected keys")
     found = keys.split(" ")
-    if not isinstance(letters, str) or not re.fullmatch("[cdfu]*", letters):
-        raise LogError("expected verdicts c, d, f, u")
+    if not isinstance(letters, str) or not re.fullmatch("[cdfou]*", letters):
+        raise LogError("expected verdicts c, d, f, o, u")
     if len(found) != len(letters) or not isinstance(numbers, list):
         raise LogError("expected a verdict for each key")
     if len(numbers) != letters.count("c"):
@@ -1704,8 +1805,8 @@ def given(plane: Plane, areas: Areas) -> str:
 
 def cites(plane: Plane, areas: Areas) -> tuple[str, ...]:
     """The theorems that are taken on trust."""
-    finite = (CLASSIFICATION,) if areas.finite else ()
-    return (*GIVEN, *((LINE,) if on_a_line(plane) else ()), *finite)
+    line, outside = (LINE,) if on_a_line(plane) else (), (OUTSIDE,) if areas.is_outside else ()
+    return (*GIVEN, *line, *outside, *((CLASSIFICATION,) if areas.finite else ()))
 
 
 def term_text(term: Term, axes: Sequence[str]) -> str:

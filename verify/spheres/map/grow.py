@@ -18,8 +18,15 @@ from typing import BinaryIO
 from verify import check_map
 from verify.language.record import Record
 from verify.spheres.map.boxes import FINITE, UNDECIDED, Verdicts, verdicts
-from verify.spheres.map.log import CHUNK, Chunk, LogMismatchError, Progress, plane_document
-from verify.spheres.map.planes import Plane
+from verify.spheres.map.log import (
+    CHUNK,
+    OUTSIDE,
+    Chunk,
+    LogMismatchError,
+    Progress,
+    plane_document,
+)
+from verify.spheres.map.planes import Phi, Plane
 from verify.spheres.map.strip import BorderStrip
 from verify.spheres.map.workers import Workers
 
@@ -83,10 +90,23 @@ def batches(progress: Progress, ahead: int) -> Iterator[list[list[str]] | None]:
         yield batch
 
 
+#: The checker is asked with so much work whether spheres part: for about 24 collisions.
+PARTS_WORK = 1000
+
+
 def _confirmed(plane: Plane | BorderStrip, keys: list[str], found: Verdicts) -> Verdicts:
-    """The verdicts, but for late boxes, or all of an extreme plane, those that are confirmed."""
-    late = range(len(keys)) if is_extreme(plane) else found.late
-    if not late:
+    """The verdicts, but for late boxes, or all of an extreme plane, those that are confirmed.
+
+    Of undecided boxes of free scenes the checker itself is asked whether all spheres part.
+    """
+    late = {*(range(len(keys)) if is_extreme(plane) else found.late)}
+    is_free = not isinstance(plane, Phi | BorderStrip)
+    choices = {
+        i: (OUTSIDE,) if letter == UNDECIDED else (letter, FINITE)
+        for i, letter in enumerate(found.letters)
+        if (is_free if letter == UNDECIDED else i in late)
+    }
+    if not choices:
         return found
     checked = check_map.plane_of(plane_document(plane))
     law = check_map.law_in(checked)
@@ -98,14 +118,14 @@ def _confirmed(plane: Plane | BorderStrip, keys: list[str], found: Verdicts) -> 
         flat = [number for six in found.numbers[i] for number in six]
         try:
             numbers = check_map.sixes(flat, letter, 0 if rules.is_line else 6)
-            check_map.prove_box(law, begin, keys[i], letter, numbers, None, rules)
+            work = check_map.Work(PARTS_WORK if letter == OUTSIDE else None)
+            check_map.prove_box(law, begin, keys[i], letter, numbers, work, rules)
         except check_map.RefusedError:
             return False
         return True
 
-    for i in late:
-        choices = () if letters[i] == UNDECIDED else (letters[i], FINITE)
-        letters[i] = next((letter for letter in choices if is_proved(i, letter)), UNDECIDED)
+    for i, tried in choices.items():
+        letters[i] = next((letter for letter in tried if is_proved(i, letter)), UNDECIDED)
     return found._replace(letters="".join(letters))
 
 

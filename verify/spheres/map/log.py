@@ -25,12 +25,14 @@ from verify.spheres.map.strip import BorderStrip
 FORMAT = "verify-map-log/1"
 #: What decides boxes: another number where a verdict, or its numbers, may be another one. The
 #: second one is for scenes that are free at the start.
-CODE, FREE_CODE = 2, 6
+CODE, FREE_CODE = 2, 7
 #: The level of the first boxes; the number of boxes of a chunk, a multiple of four.
 FIRST_LEVEL, CHUNK = 4, 2048
 #: No box is smaller than those of this level.
 FINEST = 40
 COLLAPSES, DISPERSES, FINITE, UNDECIDED = "c", "d", "f", "u"
+#: In a log only: disperses, by the theorem of this name.
+OUTSIDE = "o"
 
 
 class LogMismatchError(ValueError):
@@ -158,6 +160,7 @@ class Progress:
             "numbers": chunk.numbers,
         }
         line, self.chain = _line(self.chain, content)
+        chunk = chunk._replace(letters=chunk.letters.replace(OUTSIDE, DISPERSES))
         self.found.append(chunk)
         self.boxes += len(chunk.keys)
         self.at += len(chunk.keys)
@@ -228,7 +231,7 @@ class Progress:
         try:
             found = json.loads(line)
             keys, letters, numbers = found["keys"].split(" "), found["verdicts"], found["numbers"]
-            good = re.fullmatch("[cdfu]*", letters) is not None and len(letters) == len(keys)
+            good = re.fullmatch("[cdfou]*", letters) is not None and len(letters) == len(keys)
             good = good and len(numbers) == letters.count(COLLAPSES)
         except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
             raise LogMismatchError("a line is no chunk of boxes") from error

@@ -335,6 +335,7 @@ def test_a_collapse_on_a_line() -> None:
         assert not check_map.closes_on_a_line(law, sight(**{name: (0, ONE)})), name
     # The roots of Q² - (1+r)/2 Q + r at r = 1/20 are 0.106 and 0.418; half of the sum is 0.2625.
     assert check_map.closes_on_a_line(law, sight(rho=(ONE // 5, ONE // 4)))
+    assert not check_map.closes_on_a_line(law, sight(rho=(0, ONE // 5)))
     assert not check_map.closes_on_a_line(law, sight(rho=(ONE // 5, 27 * ONE // 100)))
     far = (4 * ONE, 4 * ONE)
     assert not check_map.closes_on_a_line(law, sight(rho=(ONE // 5, ONE // 5), eps=far))

@@ -19,8 +19,8 @@ from typing import Any
 from verify.language.record import TYPE_CHECKING, Record
 from verify.language.terms import (
     FUNCTIONS,
-    MAX_EXPONENT,
     MAX_INDEX,
+    MAX_POWER,
     Claim,
     Term,
     absolute,
@@ -614,10 +614,10 @@ class _Reader:
         if exponent.value == 0 and self.indices:
             return as_term(1) if has_value(base) else 1 + times_zero(base)
         above, below = abs(exponent.value.numerator), exponent.value.denominator
-        if below > MAX_INDEX or not 0 < above <= MAX_EXPONENT:
+        if below > MAX_INDEX or not 0 < above <= MAX_POWER:
             raise self.error(
                 f"the exponent {exponent.value} is not usable; write m or m/n, m from 1 to "
-                f"{MAX_EXPONENT} and n to {MAX_INDEX}, or exp({exponent.value}*log(x))"
+                f"{MAX_POWER} and n to {MAX_INDEX}, or exp({exponent.value}*log(x))"
             )
         root = base if below == 1 else sqrt(base) if below == 2 else nth_root(base, below)
         is_power = above > 1 or (exponent.value == 1 and not self.indices)

@@ -364,3 +364,25 @@ def test_powers_of_powers_take_no_memory() -> None:
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     assert verdicts("(((x + 1)^999)^999)^999 >= 0", "", 1_000_000) == {UNDECIDED}
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss < before + 400_000  # kB
+
+
+#: What follows from a given exponential or logarithm, and what is next to it.
+READ_BACK = {
+    ("x <= exp(7)", "2 <= x; log(x) <= 7"): PROVED,
+    ("x <= exp(6.99)", "2 <= x; log(x) <= 7"): REFUTED,
+    ("y <= log(7)", "exp(y) <= 7"): PROVED,
+    ("y < log(7)", "exp(y) <= 7"): UNDECIDED,
+    ("x <= exp(3)", "0 < x; 2*log(x) + 1 <= 7"): PROVED,
+    ("2*x + 1 <= 2*exp(7) + 1", "2 <= x; 7 >= log(x)"): PROVED,
+    ("x < y", "0 < x; 0 < y; log(x) < log(y)"): PROVED,
+    ("y < x", "0 < x; 0 < y; log(x) < log(y)"): REFUTED,
+    ("x <= y", "exp(x) <= exp(y)"): PROVED,
+    ("x <= e*y", "0 < x; 0 < y; log(x) - log(y) <= 1"): PROVED,
+    ("x <= y", "0 < x; 0 < y; log(x) - log(y) <= 1"): REFUTED,
+}
+
+
+@pytest.mark.parametrize(("row", "given"), READ_BACK)
+def test_a_given_function_is_read_back(row: str, given: str) -> None:
+    found = verdicts(row, given, 3_000_000)
+    assert found & {REFUTED, UNDECIDED} == {READ_BACK[row, given]} - {PROVED}

@@ -35,7 +35,7 @@ def _power(x: float, exponent: int) -> float:
 
 _ALGEBRA: Mapping[str, Callable[..., float]] = {
     **{name: getattr(math, name) for name in ("sqrt", "log", "sin", "cos", "atan")},
-    "exp": lambda x: math.exp(x) if x < MOST_EXPONENT else math.inf,
+    "exp": lambda x: math.inf if x >= MOST_EXPONENT else math.exp(x),
     "pi": lambda: math.pi,
     "rational": _float,
     "cos_pi": lambda x: math.cos(math.pi * x),

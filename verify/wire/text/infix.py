@@ -32,6 +32,7 @@ from verify.language.terms import (
     log,
     names_of,
     nth_root,
+    operations_in,
     parts_of,
     pi,
     sqrt,
@@ -91,13 +92,13 @@ MAX_TERMS = 1000
 #: To use a function or a vector of the page costs as much as to read so many signs.
 A_CALL = 150
 #: All that is written like a function.
-DOT = "dot"
+DOT, DIFF = "dot", "diff"
 #: What is made of tables.
 OF_TABLES: Mapping[str, tuple[int, Callable[..., Term]]] = {
     "det": (1, determinant),
     "form": (3, form),
 }
-CALLED = (*FUNCTIONS, *MANY, "root", *SUMS, *SUGAR, DOT, *OF_TABLES)
+CALLED = (*FUNCTIONS, *MANY, "root", *SUMS, *SUGAR, DOT, DIFF, *OF_TABLES)
 
 
 class Formula(Record):
@@ -167,6 +168,7 @@ class Names:
         gram: these inner products.
         functions: those that the page defines, by their names.
         spent: what the functions and tables of the page have cost so far.
+        are_variables: for variables and for numbers with names whether they are variables.
     """
 
     def __init__(
@@ -178,10 +180,11 @@ class Names:
         gram: Gram = MappingProxyType({}),
         functions: Mapping[str, PageFunction] = MappingProxyType({}),
         spent: Spent | None = None,
+        are_variables: Mapping[str, bool] = MappingProxyType({}),
     ) -> None:
         self.known, self.hidden, self.short = known, hidden, short
         self.vectors, self.gram, self.functions = vectors, gram, functions
-        self.spent = spent or Spent()
+        self.spent, self.are_variables = spent or Spent(), are_variables
 
     def of_vectors(self) -> Names:
         """The same, and the names of vectors."""
@@ -193,7 +196,7 @@ class Names:
         return self._with(self.known, {**self.short, **values})
 
     def _with(self, known: Mapping[str, str], short: Mapping[str, Value]) -> Names:
-        others = (self.vectors, self.gram, self.functions, self.spent)
+        others = (self.vectors, self.gram, self.functions, self.spent, self.are_variables)
         return Names(known, self.hidden, short, *others)
 
     def term(self, where: object, name: str) -> Value:
@@ -721,6 +724,8 @@ class _Reader:
             return self._dot()
         self.at -= 1
         values = self._arguments()
+        if word == DIFF:
+            return self._derived([self.number(value) for value in values])
         if word in MANY and len(values) == 1 and isinstance(values[0], Table):
             values = [entry for row in values[0].rows for entry in row]
         arguments = [self.number(value) for value in values]
@@ -730,6 +735,17 @@ class _Reader:
             wanted = "at least two terms" if word in MANY else "one term"
             raise self.error(f"{word} is of {wanted}, and {len(arguments)} stand there")
         return SUGAR[word](*arguments) if word in SUGAR else Term(word, *arguments)
+
+    def _derived(self, arguments: Sequence[Term]) -> Term:
+        """The derivative of a term by a variable, where both have a value."""
+        from verify.wire.text.slopes import slope  # loaded only where it is used
+
+        try:
+            found = slope(arguments, self.names.are_variables)
+        except ValueError as error:
+            raise self.error(f"{error}; write diff(x^2, x)") from error
+        self._spend(operations_in(found))
+        return found
 
     def _dot(self) -> Term:
         """The rest of ``dot(x, z)``."""

@@ -11,7 +11,8 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
-from itertools import accumulate
+from itertools import accumulate, chain, product
+from math import prod
 from operator import add
 from types import MappingProxyType
 from typing import Any
@@ -135,6 +136,13 @@ class Formula(Record):
         return tuple(found)
 
 
+class Joined(Record):
+    """Formulas with and between them, or with or; some of them may be joined themselves."""
+
+    word: str
+    parts: tuple[Formula | Joined, ...]
+
+
 def _claim(relation: str, left: Term, right: Term) -> Claim:
     if relation == "!=":
         return unequal(left, right)
@@ -247,8 +255,8 @@ def read_value(where: object, text: str, names: Names) -> Value:
     Raises:
         InputError: naming the place, and what to write instead.
     """
-    (found, *_), word = _read(where, text, names)
-    if found.relations or word:
+    found = _read(where, text, names)
+    if isinstance(found, Joined) or found.relations:
         raise InputError(f"{where}: {shown(text)} is a claim; write a term, such as (1 + x)/2")
     return found.terms[0]
 
@@ -283,7 +291,8 @@ def _entry_text(where: object, entry: object) -> str:
 def read_claims(where: object, text: str, names: Names) -> tuple[Claim, ...]:
     """The claims in a text, of which a chain ``0 <= x <= b`` has several, and ``a and b`` too.
 
-    The claims in ``a or b`` are one, which `any_of` makes of them.
+    The claims in ``a or b`` are one, which `any_of` makes of them; ``a or (b and c)`` is read as
+    ``a or b`` and ``a or c``.
 
     Raises:
         InputError: as above, or where the text has no relation.
@@ -300,12 +309,12 @@ def read_givens(where: object, text: str, names: Names) -> tuple[Claim, ...]:
     return _joined(where, text, names, Formula.bounds)
 
 
-def _read(where: object, text: str, names: Names) -> tuple[list[Formula], str]:
-    """The formulas in a text, and the word between them."""
+def _read(where: object, text: str, names: Names) -> Formula | Joined:
+    """What a whole text says."""
     if _DECIMAL_COMMA.search(text):
         _test_commas(where, text)
     try:
-        return _Reader(where, text, names).formulas()
+        return _Reader(where, text, names).whole()
     except RecursionError as error:
         raise InputError(f"{where}: {shown(text)} nests too deeply; name its parts") from error
     except InputError as error:
@@ -332,27 +341,51 @@ def _test_commas(where: object, text: str) -> None:
 def _joined(
     where: object, text: str, names: Names, claims: Callable[[Formula], tuple[Claim, ...]]
 ) -> tuple[Claim, ...]:
-    formulas, word = _read(where, text, names)
-    if any(not formula.relations for formula in formulas):
+    found = _read(where, text, names)
+    if any(not formula.relations for formula in _formulas(found)):
+        word = found.word if isinstance(found, Joined) else ""
         instead = (
             f"; write a claim on each side of {word}" if word else f"; write for example {text} > 0"
         )
         raise InputError(f"{where}: {shown(text)} claims nothing{instead}")
-    if word != "or":
-        return tuple(claim for formula in formulas for claim in claims(formula))
-    alternatives = [formula.claims() for formula in formulas]
-    if any(len(chain) > 1 for chain in alternatives):
-        raise InputError(
-            f"{where}: {shown(text)}: a chain is no alternative; write one sign on each side of or"
-        )
     try:
-        return (any_of(*(claim for (claim,) in alternatives)),)
+        return tuple(any_of(*clause) for clause in _clauses(found, claims))
     except ValueError as error:
-        raise InputError(
-            f"{where}: {shown(text)}: {error}; write < in each, which says more, or <= in each"
-        ) from error
+        raise InputError(f"{where}: {shown(text)}: {error}") from error
 
 
+def _formulas(found: Formula | Joined) -> list[Formula]:
+    if isinstance(found, Formula):
+        return [found]
+    return [formula for part in found.parts for formula in _formulas(part)]
+
+
+def _clauses(
+    found: Formula | Joined, claims: Callable[[Formula], tuple[Claim, ...]]
+) -> list[tuple[Claim, ...]]:
+    """Claims of which at least one holds, and of others, and so on."""
+    if isinstance(found, Formula):
+        return [(claim,) for claim in claims(found)]
+    if found.word == "and":
+        return [clause for part in found.parts for clause in _clauses(part, claims)]
+    if any(isinstance(part, Formula) and len(part.relations) > 1 for part in found.parts):
+        raise ValueError(
+            "a chain is no alternative; write one sign on each side of or, or (a < b < c)"
+        )
+    parts = [_clauses(part, Formula.claims) for part in found.parts]
+    if prod(map(len, parts)) > MAX_CLAUSES:
+        raise ValueError(f"its alternatives are more than {MAX_CLAUSES} claims; write fewer")
+    clauses = [tuple(dict.fromkeys(chain(*chosen))) for chosen in product(*parts)]
+    if any(len({claim.relation for claim in clause}) > 1 for clause in clauses):
+        raise ValueError(
+            "alternatives need one relation in all of them; write < in each, which says more, "
+            "or <= in each"
+        )
+    return clauses
+
+
+#: So many claims are read from one text with alternatives.
+MAX_CLAUSES = 64
 _JOINING = (("name", "and"), ("name", "or"))
 #: How a number is had from a table.
 _AS = "u*v, A[1, 2] or det(A)"
@@ -426,23 +459,52 @@ class _Reader:
         kind, word = self.tokens[self.at]
         return "it ends" if kind == "end" else f"{shown(word)} follows"
 
-    def formulas(self) -> tuple[list[Formula], str]:
-        """The whole text: formulas, and the word and, or the word or, between them."""
-        found, words = [self.formula()], []
+    def whole(self) -> Formula | Joined:
+        """The whole text."""
+        found = self.joined()
+        if self.tokens[self.at][0] != "end":
+            raise self.error(self._too_much())
+        return found
+
+    def joined(self) -> Formula | Joined:
+        """Formulas with the word and, or the word or, between them."""
+        found, words = [self._part()], []
         while self.tokens[self.at] in _JOINING:
             words.append(self.tokens[self.at][1])
             self.at += 1
-            found.append(self.formula())
-        if self.tokens[self.at][0] != "end":
-            raise self.error(self._too_much())
+            found.append(self._part())
         if len({*words}) > 1:
-            raise self.error("has both and and or in it; write two claims")
-        return found, words[0] if words else ""
+            raise self.error(
+                "has both and and or in it; write two claims, or parentheses: a or (b and c)"
+            )
+        return Joined(words[0], tuple(found)) if words else found[0]
+
+    def _part(self) -> Formula | Joined:
+        """A formula, or what is joined in parentheses; there a chain is joined, too."""
+        if not self._is_claim_in_parentheses():
+            return self.formula()
+        self.at += 1
+        found = self.joined()
+        self.expect(")")
+        return Joined("and", (found,)) if isinstance(found, Formula) else found
+
+    def _is_claim_in_parentheses(self) -> bool:
+        """Whether a parenthesis opens here, with a relation before it closes."""
+        depth = 0
+        for kind, word in self.tokens[self.at :]:
+            if kind == "sign":
+                depth += (word == "(") - (word == ")")
+            if depth < 1:
+                return False
+            if kind == "sign" and word in RELATIONS:
+                return True
+        return False
 
     def formula(self) -> Formula:
         """What stands up to the end, or to the next and or or."""
+        start = self.at
         terms: list[Any] = [self.sum()]
-        relations, begin, moduli = [], 0, []
+        relations, begin, moduli = [], start, []
         moduli.append(self.moduli.get((begin, self.at)))
         while relation := self.take(*RELATIONS):
             relations.append(relation)

@@ -11,8 +11,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
-from itertools import accumulate, chain, product
-from math import prod
+from itertools import accumulate
 from operator import add
 from types import MappingProxyType
 from typing import Any
@@ -368,24 +367,12 @@ def _clauses(
         return [(claim,) for claim in claims(found)]
     if found.word == "and":
         return [clause for part in found.parts for clause in _clauses(part, claims)]
-    if any(isinstance(part, Formula) and len(part.relations) > 1 for part in found.parts):
-        raise ValueError(
-            "a chain is no alternative; write one sign on each side of or, or (a < b < c)"
-        )
-    parts = [_clauses(part, Formula.claims) for part in found.parts]
-    if prod(map(len, parts)) > MAX_CLAUSES:
-        raise ValueError(f"its alternatives are more than {MAX_CLAUSES} claims; write fewer")
-    clauses = [tuple(dict.fromkeys(chain(*chosen))) for chosen in product(*parts)]
-    if any(len({claim.relation for claim in clause}) > 1 for clause in clauses):
-        raise ValueError(
-            "alternatives need one relation in all of them; write < in each, which says more, "
-            "or <= in each"
-        )
-    return clauses
+    from verify.wire.text.alternatives import one_of_each  # loaded only where it is used
+
+    chains = any(isinstance(part, Formula) and len(part.relations) > 1 for part in found.parts)
+    return one_of_each([_clauses(part, Formula.claims) for part in found.parts], chains=chains)
 
 
-#: So many claims are read from one text with alternatives.
-MAX_CLAUSES = 64
 _JOINING = (("name", "and"), ("name", "or"))
 #: How a number is had from a table.
 _AS = "u*v, A[1, 2] or det(A)"

@@ -44,7 +44,8 @@ class Formula:
     """A formula: a ``claim``, or an operation of others; what is written alike is one object.
 
     ``and`` of no parts is true, and ``not`` of that is false. The parts of a ``choice`` are
-    conditions, of which just one holds, each with the formula that is meant if it holds.
+    conditions, of which just one holds, each with the formula that is meant if it holds. That of
+    a constant of the sort Bool is this word with its name.
     """
 
     __slots__ = ("claim", "op", "parts")

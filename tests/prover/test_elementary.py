@@ -8,7 +8,10 @@ import pytest
 
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.prover.budget import WorkBudget
+from verify.prover.stationary import stationary
 from verify.wire.questions import decide_page, read_page_of
+from verify.wire.text.estimates import estimate
+from verify.wire.text.infix import Names, read_claims, read_term
 
 WORK = 20_000_000
 
@@ -386,3 +389,38 @@ READ_BACK = {
 def test_a_given_function_is_read_back(row: str, given: str) -> None:
     found = verdicts(row, given, 3_000_000)
     assert found & {REFUTED, UNDECIDED} == {READ_BACK[row, given]} - {PROVED}
+
+
+#: Bounds that are reached where the derivatives of both sides agree, and one that is not.
+STATIONARY = {
+    ("x - exp(x)/3 <= log(3) - 1", "0 <= x <= 3"): PROVED,
+    ("(1 + log(2))/2 <= x + exp(-2*x)", ""): PROVED,
+    ("-1/e^2 <= x*log(x) + x", "0 < x"): PROVED,
+    ("5*x - exp(x) <= 5*log(5) - 5.00001", "0 <= x"): REFUTED,
+}
+
+
+@pytest.mark.parametrize(("row", "given"), STATIONARY)
+def test_what_is_reached_at_a_stationary_point(row: str, given: str) -> None:
+    assert verdicts(row, given) == {STATIONARY[row, given]}
+
+
+@pytest.mark.parametrize(
+    ("row", "near", "number"),
+    [
+        ("log(1 + x) - x/sqrt(2) <= 1", 0.41421356, "sqrt(2) - 1"),
+        ("arctan(x^2) - x <= 1", 0.5, None),
+        ("x^3 - sqrt(2)*x <= 1", 0.68658905, "sqrt(sqrt(2)/3)"),
+        ("sqrt(log(x)) - log(x) <= 1", 1.28402542, "exp(1/4)"),
+    ],
+)
+def test_a_stationary_point_is_a_term(row: str, near: float, number: str | None) -> None:
+    names = Names({"x": "x"})
+    (claim,) = read_claims("", row, names)
+    found = stationary(claim, "x", near)
+    if number is None or found is None:
+        assert found is number
+    else:
+        value = estimate(read_term("", number, names), {})
+        assert estimate(found, {}) == pytest.approx(value, abs=1e-12)
+    assert stationary(claim, "x", near + 0.01) is None

@@ -54,6 +54,7 @@ FREE = (
 )
 PARTS = Technique("parts of a context", _from("parts", "by_parts"))
 INVERSES = Technique("inverses of variables", _from("inverses", "by_inverses"))
+EQUALITY = Technique("equality", _from("equality", "by_equality"))
 LAWS = Technique("laws", _from("laws", "by_laws"))
 ELEMENTARY = Technique("elementary", _from("elementary", "by_elementary"))
 #: For equations.
@@ -198,6 +199,8 @@ def _stages(goal: Goal, known: Universal) -> Iterator[tuple[Question, tuple[Tech
         question = Question(goal._replace(claim=claim), known)
         if not _clears(question):
             return
+    if not question.goal.variables:
+        yield question, (EQUALITY,)
     yield question, SIMPLE
     yield from _of_all_that_is_known(question)
 

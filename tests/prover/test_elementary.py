@@ -40,6 +40,8 @@ IDENTITIES = {
     "arcsin(1/2) = pi/6": None,
     "exp(log(5)/3) = cbrt(5)": None,
     "2^(1/2)*2^(1/3) = 2^(5/6)": None,
+    "arcsin(1) = pi/2": None,
+    "arctan(1/(2 + sqrt(1 - 1^2))) = arctan(1/2)": None,
 }
 #: Equations that hold at some points, or nearly.
 FALSE = {
@@ -424,3 +426,19 @@ def test_a_stationary_point_is_a_term(row: str, near: float, number: str | None)
         value = estimate(read_term("", number, names), {})
         assert estimate(found, {}) == pytest.approx(value, abs=1e-12)
     assert stationary(claim, "x", near + 0.01) is None
+
+
+#: Inequalities between numbers that are equal, or not, and chords that end at such numbers.
+EQUAL = {
+    ("pi/4 <= arctan(1)", None): PROVED,
+    ("arctan(1) < pi/4", None): REFUTED,
+    ("arctan(sqrt(3)) + e <= pi/3 + exp(1)", None): PROVED,
+    ("2*arctan(1/2) <= arctan(4/3) - exp(-90)", None): REFUTED,
+    ("pi/4*x <= arctan(x)", "0 <= x <= 1"): PROVED,
+    ("0.78540*x <= arctan(x)", "0 <= x <= 1"): REFUTED,
+}
+
+
+@pytest.mark.parametrize(("row", "given"), EQUAL)
+def test_what_is_equal_is_at_most_that(row: str, given: str | None) -> None:
+    assert verdicts(row, given, 3_000_000) == {EQUAL[row, given]}

@@ -41,6 +41,7 @@ IDENTITIES = {
     "exp(log(5)/3) = cbrt(5)": None,
     "2^(1/2)*2^(1/3) = 2^(5/6)": None,
     "arcsin(1) = pi/2": None,
+    "sqrt(7)^2 + 5*log(sqrt(7)) = 7 + 5/2*log(7)": None,
     "arctan(1/(2 + sqrt(1 - 1^2))) = arctan(1/2)": None,
 }
 #: Equations that hold at some points, or nearly.
@@ -52,6 +53,7 @@ FALSE = {
     "pi = 16*arctan(1/5) - 4*arctan(1/238)": None,
     "arctan(tan(x)) = x": "2 < x < 3",
     "exp(log(5)/3) = sqrt(5)": None,
+    "sqrt(7)^2 + 5*log(sqrt(7)) = 7 + 5/3*log(7)": None,
 }
 
 

@@ -52,6 +52,7 @@ from tests.facts import (
 from verify.check import EXIT_CODES as OF_CHECKER
 from verify.cli import OWN_ERROR, USAGE_ERROR
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
+from verify.language.terms import MAX_POWER
 from verify.paper.source import PAPER
 from verify.prover.decimals import rounded_inwards, short
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
@@ -705,6 +706,7 @@ said(
 )
 said(P, "counted from {};", coded("1", "verify/wire/text/matrices.py", "counted from 1"))
 said(P, "of at most {} rows", MAX_DETERMINANT)
+said(P, "with exponents up to {};", MAX_POWER)
 said(
     P,
     "is {} if a question is refuted, else {} if one is undecided, else {}.",

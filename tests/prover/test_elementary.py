@@ -8,7 +8,10 @@ import pytest
 
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.prover.budget import WorkBudget
+from verify.prover.stationary import stationary
 from verify.wire.questions import decide_page, read_page_of
+from verify.wire.text.estimates import estimate
+from verify.wire.text.infix import Names, read_claims, read_term
 
 WORK = 20_000_000
 
@@ -37,6 +40,9 @@ IDENTITIES = {
     "arcsin(1/2) = pi/6": None,
     "exp(log(5)/3) = cbrt(5)": None,
     "2^(1/2)*2^(1/3) = 2^(5/6)": None,
+    "arcsin(1) = pi/2": None,
+    "sqrt(7)^2 + 5*log(sqrt(7)) = 7 + 5/2*log(7)": None,
+    "arctan(1/(2 + sqrt(1 - 1^2))) = arctan(1/2)": None,
 }
 #: Equations that hold at some points, or nearly.
 FALSE = {
@@ -47,6 +53,7 @@ FALSE = {
     "pi = 16*arctan(1/5) - 4*arctan(1/238)": None,
     "arctan(tan(x)) = x": "2 < x < 3",
     "exp(log(5)/3) = sqrt(5)": None,
+    "sqrt(7)^2 + 5*log(sqrt(7)) = 7 + 5/3*log(7)": None,
 }
 
 
@@ -364,3 +371,76 @@ def test_powers_of_powers_take_no_memory() -> None:
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     assert verdicts("(((x + 1)^999)^999)^999 >= 0", "", 1_000_000) == {UNDECIDED}
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss < before + 400_000  # kB
+
+
+#: What follows from a given exponential or logarithm, and what is next to it.
+READ_BACK = {
+    ("x <= exp(7)", "2 <= x; log(x) <= 7"): PROVED,
+    ("x <= exp(6.99)", "2 <= x; log(x) <= 7"): REFUTED,
+    ("y <= log(7)", "exp(y) <= 7"): PROVED,
+    ("y < log(7)", "exp(y) <= 7"): UNDECIDED,
+    ("x <= exp(3)", "0 < x; 2*log(x) + 1 <= 7"): PROVED,
+    ("2*x + 1 <= 2*exp(7) + 1", "2 <= x; 7 >= log(x)"): PROVED,
+    ("x < y", "0 < x; 0 < y; log(x) < log(y)"): PROVED,
+    ("y < x", "0 < x; 0 < y; log(x) < log(y)"): REFUTED,
+    ("x <= y", "exp(x) <= exp(y)"): PROVED,
+    ("x <= e*y", "0 < x; 0 < y; log(x) - log(y) <= 1"): PROVED,
+    ("x <= y", "0 < x; 0 < y; log(x) - log(y) <= 1"): REFUTED,
+}
+
+
+@pytest.mark.parametrize(("row", "given"), READ_BACK)
+def test_a_given_function_is_read_back(row: str, given: str) -> None:
+    found = verdicts(row, given, 3_000_000)
+    assert found & {REFUTED, UNDECIDED} == {READ_BACK[row, given]} - {PROVED}
+
+
+#: Bounds that are reached where the derivatives of both sides agree, and one that is not.
+STATIONARY = {
+    ("x - exp(x)/3 <= log(3) - 1", "0 <= x <= 3"): PROVED,
+    ("(1 + log(2))/2 <= x + exp(-2*x)", ""): PROVED,
+    ("-1/e^2 <= x*log(x) + x", "0 < x"): PROVED,
+    ("5*x - exp(x) <= 5*log(5) - 5.00001", "0 <= x"): REFUTED,
+}
+
+
+@pytest.mark.parametrize(("row", "given"), STATIONARY)
+def test_what_is_reached_at_a_stationary_point(row: str, given: str) -> None:
+    assert verdicts(row, given) == {STATIONARY[row, given]}
+
+
+@pytest.mark.parametrize(
+    ("row", "near", "number"),
+    [
+        ("log(1 + x) - x/sqrt(2) <= 1", 0.41421356, "sqrt(2) - 1"),
+        ("arctan(x^2) - x <= 1", 0.5, None),
+        ("x^3 - sqrt(2)*x <= 1", 0.68658905, "sqrt(sqrt(2)/3)"),
+        ("sqrt(log(x)) - log(x) <= 1", 1.28402542, "exp(1/4)"),
+    ],
+)
+def test_a_stationary_point_is_a_term(row: str, near: float, number: str | None) -> None:
+    names = Names({"x": "x"})
+    (claim,) = read_claims("", row, names)
+    found = stationary(claim, "x", near)
+    if number is None or found is None:
+        assert found is number
+    else:
+        value = estimate(read_term("", number, names), {})
+        assert estimate(found, {}) == pytest.approx(value, abs=1e-12)
+    assert stationary(claim, "x", near + 0.01) is None
+
+
+#: Inequalities between numbers that are equal, or not, and chords that end at such numbers.
+EQUAL = {
+    ("pi/4 <= arctan(1)", None): PROVED,
+    ("arctan(1) < pi/4", None): REFUTED,
+    ("arctan(sqrt(3)) + e <= pi/3 + exp(1)", None): PROVED,
+    ("2*arctan(1/2) <= arctan(4/3) - exp(-90)", None): REFUTED,
+    ("pi/4*x <= arctan(x)", "0 <= x <= 1"): PROVED,
+    ("0.78540*x <= arctan(x)", "0 <= x <= 1"): REFUTED,
+}
+
+
+@pytest.mark.parametrize(("row", "given"), EQUAL)
+def test_what_is_equal_is_at_most_that(row: str, given: str | None) -> None:
+    assert verdicts(row, given, 3_000_000) == {EQUAL[row, given]}

@@ -10,6 +10,8 @@ from verify import check
 from verify.language.terms import Claim, Number, Term, equal, symbol
 from verify.library import ask, certificate, for_all, lemma, prove
 from verify.prover.budget import WorkBudget
+from verify.prover.outcome import Outcome
+from verify.wire.inputs import InputError
 from verify.wire.questions import decide_page
 from verify.wire.text.read_page import read_page
 
@@ -23,12 +25,16 @@ TWO = for_all("two", [0 < a, 0 < b, equal(a * b, 2)], {"a": 1, "b": 2})
 def verdict(claim: Claim, context: object) -> str:
     """What is found, after the checker has agreed."""
     outcome = prove(lemma("t", [ask("row", claim, context)], (), [context]))  # type: ignore[arg-type,list-item]
-    found = outcome.decisions["row"].verdict
-    if found != "undecided":
-        files = certificate(outcome)
-        report = check.check(files["statement.json"], files["certificate.json"], {})
-        assert report.rows == {"row": found}
-    return found
+    if outcome.verdict != "undecided":
+        check_files(outcome)
+    return outcome.decisions["row"].verdict
+
+
+def check_files(outcome: Outcome) -> None:
+    """The checker agrees on all rows."""
+    files = certificate(outcome)
+    report = check.check(files["statement.json"], files["certificate.json"], {})
+    assert report.rows == {row.name: decision.verdict for row, decision in outcome.rows}
 
 
 @pytest.mark.parametrize(
@@ -67,3 +73,42 @@ g = "x + y < 1"
         name: d.claimed for name, d in decide_page(page, WorkBudget(300_000)).decisions.items()
     }
     assert found == {"a": "refuted", "b": "proved", "d": "refuted", "f": "refuted", "g": "proved"}
+
+
+@pytest.mark.parametrize(
+    ("row", "found"),
+    [
+        ("0 <= x^9890", "proved"),
+        ("0 <= x^9891", "refuted"),
+        ("x^2003/x^2000 = x^3", "undecided"),
+        ("(x^2 + 1)*x^1999 = x^2001 + x^1999", "proved"),
+        ("-0.15921 < sin(2^1000) < -0.1592", "proved"),
+        ("1.0001^9999 < e < 1.0001^10001", "proved"),
+        ("1.0001^10001 < e", "refuted"),
+    ],
+)
+def test_large_exponents(row: str, found: str) -> None:
+    """Powers of powers; at x = 0 the quotient has no value."""
+    text = f'title = "t"\n[contexts.c]\nvariables = "x"\ngiven = []\n[rows]\nr = "{row}"\n'
+    outcome = decide_page(read_page("f.toml", text.encode()), WorkBudget(300_000))
+    assert {decision.claimed for _, decision in outcome.rows} == {found}
+    check_files(outcome)
+
+
+def test_products_of_large_powers_keep_to_the_exponents_of_the_checker() -> None:
+    text = """title = "t"
+[contexts.c]
+variables = "x"
+given = ["0 <= x <= 1"]
+[rows]
+r = "x^2003 <= x^2000"
+"""
+    outcome = decide_page(read_page("f.toml", text.encode()), WorkBudget(5_000_000))
+    assert outcome.verdict == "proved"
+    check_files(outcome)
+
+
+def test_an_exponent_that_is_not_read() -> None:
+    text = 'title = "t"\n[rows]\nr = "0 < 2^100000"\n'
+    with pytest.raises(InputError, match="write m or m/n, m from 1 to 99999"):
+        read_page("f.toml", text.encode())

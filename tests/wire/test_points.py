@@ -52,6 +52,9 @@ def test_half_of_the_time_is_for_points(monkeypatch: pytest.MonkeyPatch) -> None
         '"a^2 > 1000*a", "a > 0", "b = x", "x = 0"',
         '"a^3 = 2", "b^5 = -7", "x^4 = 3"',
         '"a < b", "b < a + 1e-30", "x = 0"',
+        '"a >= exp(300)", "b > exp(1000)", "x >= b"',
+        '"a = exp(1000)", "b = a^2", "x <= -exp(2000)"',
+        '"exp(1000) < a < exp(1000) + 1", "10^400 <= b <= 10^400 + 1", "0 < x < exp(1000)"',
     ],
 )
 def test_easy_points_of_any_size_are_found(given: str) -> None:
@@ -64,7 +67,11 @@ def test_easy_points_of_any_size_are_found(given: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "given", ['"a < b", "b < a + 1e-30", "a > b - 1e-31", "x > 2*b - 2*a + x"']
+    "given",
+    [
+        '"a < b", "b < a + 1e-30", "a > b - 1e-31", "x > 2*b - 2*a + x"',
+        '"a > exp(1000)", "a < exp(1000) + exp(-30)", "a > exp(1000) + exp(-29)", "b < x"',
+    ],
 )
 def test_a_point_that_only_seems_to_be_one_is_none(given: str) -> None:
     page = (

@@ -19,6 +19,7 @@ from verify.wire.text.smtlib import read_smtlib
 
 PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
 X = "(declare-const x Real)"
+B = "(declare-const p Bool)(declare-fun q () Bool)"
 
 
 def verdicts(text: str, work: int = 3_000_000) -> list[str]:
@@ -97,6 +98,34 @@ def verdicts(text: str, work: int = 3_000_000) -> list[str]:
         ("(assert (< 2 1))(check-sat)", [PROVED]),
         ("(assert (and (< 1 2) (<= 3 3)))(check-sat)", [REFUTED]),
         (f"{X}(assert (or (< x 0) (> x 0)))(assert (not (distinct x 0)))(check-sat)", [PROVED]),
+        # Constants of the sort Bool are cases, and what is assumed holds for one question.
+        (
+            f"{X}{B}(assert (= p (< x 0)))(assert (=> q p))(assert (and q (< 1 x)))(check-sat)",
+            [PROVED],
+        ),
+        (
+            f"{X}{B}(assert (= p (< x 0)))(assert (=> q p))(assert (and p (< 1 x)))(check-sat)",
+            [PROVED],
+        ),
+        (
+            f"{X}{B}(assert (= p (< x 0)))(assert (=> q p))(assert (< 1 x))(assert q)(check-sat)",
+            [PROVED],
+        ),
+        (f"{X}{B}(assert (= p (< x 0)))(assert (not p))(assert (< 1 x))(check-sat)", [REFUTED]),
+        (f"{B}(assert (xor p q))(assert (or (not p) q))(assert (not q))(check-sat)", [PROVED]),
+        (f"{B}(assert (xor p q))(check-sat)", [REFUTED]),
+        (f"{X}{B}(assert (< (ite p x (- x)) 0))(assert (< 0 x))(assert p)(check-sat)", [PROVED]),
+        (
+            (
+                f"{X}{B}(assert (= p (< x 0)))(check-sat-assuming (p (not q)))(assert (< 1 x))"
+                "(check-sat-assuming (p))(check-sat-assuming ((not p)))(check-sat-assuming ())"
+            ),
+            [REFUTED, PROVED, REFUTED, PROVED, REFUTED],
+        ),
+        (
+            "(push)(declare-const p Bool)(assert p)(pop)(declare-const p Bool)(assert (not p))",
+            [REFUTED],
+        ),
         # A bound of a modulus or minimum is two bounds.
         (f"{X}(assert (<= (abs x) 2))(assert (< x (- 1)))(check-sat)", [REFUTED]),
         (f"{X}(assert (< (ite (< x 0) (- x) x) 2))(assert (>= (* x x) 4))(check-sat)", [PROVED]),
@@ -121,11 +150,17 @@ def test_what_each_question_asks(text: str, wanted: list[str]) -> None:
 @pytest.mark.parametrize(
     "command",
     [
-        *("(check-sat-assuming (p))", "(define-sort R () Real)", "(declare-sort S 0)"),
+        *("(check-sat-assuming (p))", "(check-sat-assuming)", "(check-sat-assuming (x))"),
+        *(
+            "(declare-const x Bool)",
+            "(declare-const b Int)",
+            "(declare-const b Bool)(assert (< b x))",
+        ),
+        *("(define-sort R () Real)", "(declare-sort S 0)"),
         *("(define-fun-rec f ((x Real)) Real x)", "(define-funs-rec () ())", "(maximize x)"),
         *("(declare-datatypes () ())", "(declare-datatype L ())", "(minimize x)", "(check)"),
         *("(set-option :global-declarations true)", "(set-option :smt.arith.solver 2)"),
-        *("(declare-fun f (Real) Real)", "(declare-const b Bool)", "(declare-fun x () Real)"),
+        *("(declare-fun f (Real) Real)", "(declare-fun f (Bool) Bool)", "(declare-fun x () Real)"),
         *("(define-fun x () Real 1)", "(define-fun f ((y Real) (y Real)) Real y)", "(pop 1)"),
         *("(define-fun f ((y Real)) Real z)", "(define-fun f () Real (< x 1))", "(push x)"),
         *("(push 0000000001)", "(pop 0)(pop 1)"),

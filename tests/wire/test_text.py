@@ -340,6 +340,33 @@ def test_an_induction() -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("written", "same"),
+    [
+        ("x < 1 or (y < 1 and x < y)", ("x < 1 or y < 1", "x < 1 or x < y")),
+        (
+            "(x < 1 and y < 1) or (x < 2 and y < 2)",
+            ("x < 1 or x < 2", "x < 1 or y < 2", "y < 1 or x < 2", "y < 1 or y < 2"),
+        ),
+        ("(0 <= x <= 1) or y <= 1", ("0 <= x or y <= 1", "x <= 1 or y <= 1")),
+        ("x < 1 and (y < 1 or (x < y))", ("x < 1", "y < 1 or x < y")),
+        ("(x < 1) or ((x < 1) and y < 1)", ("x < 1", "x < 1 or y < 1")),
+        ("((x + 1)*(y) < (2))", ("(x + 1)*y < 2",)),
+        ("(x + 1)*y < 2 or (x) < (y)", ("(x + 1)*y < 2 or x < y",)),
+    ],
+)
+def test_and_beside_or(written: str, same: tuple[str, ...]) -> None:
+    found = read_claims("", written, own_names(("x", "y")))
+    each = [claim for text in same for claim in read_claims("", text, own_names(("x", "y")))]
+    assert [*found] == each
+
+
+def test_bounds_of_a_modulus_behind_and() -> None:
+    names = own_names(("x", "y"))
+    assert len(read_givens("", "|x| <= 1 and (|y| <= 2)", names)) == 4
+    assert len(read_givens("", "|x| <= 1 or |y| <= 2", names)) == 1
+
+
 # --- mistakes ------------------------------------------------------------------------------------
 
 
@@ -359,6 +386,10 @@ def test_an_induction() -> None:
         ('"1 + sqrt(2)"', '"max(1)"', "max is of at least two terms, and 1 stand there"),
         ('"y < d"', '"y < d and d"', "claims nothing; write a claim on each side of and"),
         ('"y < d"', '"y < d or d < 9 and d < 8"', "has both and and or in it; write two claims"),
+        ('"y < d"', '"y < d or (d < 9 and d <= 8)"', "alternatives need one relation in all"),
+        ('"y < d"', '"(y < d or d < 9) + 1"', "'+' follows, and does not belong there"),
+        ('"y < d"', '"(y < d and d) or y < 8"', "claims nothing; write a claim on each side of"),
+        ('"y < d"', '"(y < d and (d < 9 or y < 8)"', "it ends, where ) is missing"),
         (
             '"y < d"',
             '"y < d or 0 < d < 8"',

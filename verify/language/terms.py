@@ -21,6 +21,8 @@ RELATIONS = ("<", "<=", "=")
 MAX_INDEX = 99
 #: The largest exponent of a power that the wire format has.
 MAX_EXPONENT = 999
+#: The largest exponent that is read. One that is too large for one power is that of several.
+MAX_POWER = 99_999
 
 #: Longer terms are not written out where Python shows them.
 MAX_SHOWN = 1000
@@ -97,7 +99,10 @@ class Term:
     def __pow__(self, exponent: int) -> Term:
         if type(exponent) is not int or exponent < 1:
             raise TypeError(f"a power needs a positive integer exponent, not {exponent!r}")
-        return Term("pow", self, exponent)
+        if exponent <= MAX_EXPONENT:
+            return Term("pow", self, exponent)
+        half = self ** (exponent // 2)
+        return half**2 * self if exponent % 2 else half**2
 
     def __neg__(self) -> Term:
         return Term("neg", self)

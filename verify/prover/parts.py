@@ -266,7 +266,7 @@ def _meetings(context: Context, claim: Claim) -> Iterator[Order]:
 
 
 def _numbers(bounds: Bounds, claim: Claim, names: Sequence[str]) -> Iterator[Term]:
-    """The irrational numbers of simple form at which both sides nearly meet."""
+    """The irrational numbers, of simple form or stationary, at which both sides nearly meet."""
     values = estimates(names, [claim.lhs, claim.rhs], {})
 
     def gap(x: float) -> float:
@@ -281,9 +281,14 @@ def _numbers(bounds: Bounds, claim: Claim, names: Sequence[str]) -> Iterator[Ter
     for i in range(1, len(points) - 1):
         if gaps[i] <= min(gaps[i - 1], gaps[i + 1]) and math.isfinite(gaps[i]):
             x = _least(gap, points[i - 1], points[i + 1])
-            number = _number(x) if abs(gap(x)) < NEAR else None
-            if number is not None:
-                yield number
+            if abs(gap(x)) < NEAR and abs(x - _simple(x)) >= 1e-7:
+                number = _number(x)
+                if number is None:
+                    from verify.prover.stationary import stationary  # loaded only where it is used
+
+                    number = stationary(claim, names[0], x)
+                if number is not None:
+                    yield number
 
 
 def _meets_where_equal(bounds: Mapping[str, Bounds], claim: Claim, names: Sequence[str]) -> bool:
@@ -324,8 +329,6 @@ def _least(gap: Callable[[float], float], low: float, high: float) -> float:
 
 def _number(x: float) -> Term | None:
     """The irrational number of simple form that is near by; None if there is none."""
-    if abs(x - _simple(x)) < 1e-7:
-        return None
     if x > 0 and abs(math.log(x) - (q := _simple(math.log(x)))) < 1e-5:
         return exp(1) ** q.numerator if q.denominator == 1 < q else exp(as_term(q))
     if abs(x / math.pi - (q := _simple(x / math.pi))) < 1e-5:

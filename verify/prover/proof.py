@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import cache
 
 from verify.language.record import Annotated, Any, Record
-from verify.language.terms import Claim, Term
+from verify.language.terms import MAX_EXPONENT, Claim, Term
 
 #: A number that is >= 0 for all values in scope: a rational or the name of a fact as a text,
 #: "goal", or a tuple: ("add" | "mul", value, …), ("pow", value, exponent), ("square" | "root",
@@ -32,7 +32,10 @@ def sum_of(*values: Value) -> Value:
 
 
 def power_of(value: Value, exponent: int) -> Value:
-    """The power of a value."""
+    """The power of a value; a large one is a product of powers."""
+    if exponent > MAX_EXPONENT:
+        half = power_of(value, exponent // 2)
+        return product_of(("pow", half, 2), *([value] if exponent % 2 else []))
     return value if exponent == 1 else ("pow", value, exponent)
 
 

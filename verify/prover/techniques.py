@@ -8,6 +8,7 @@ from importlib import import_module
 from typing import Any
 
 from verify.language.record import Record
+from verify.language.terms import parts_of
 from verify.prover.clearing import TooLongError
 from verify.prover.goal import Goal
 from verify.prover.hint import Hint
@@ -53,6 +54,7 @@ FREE = (
 )
 PARTS = Technique("parts of a context", _from("parts", "by_parts"))
 INVERSES = Technique("inverses of variables", _from("inverses", "by_inverses"))
+EQUALITY = Technique("equality", _from("equality", "by_equality"))
 LAWS = Technique("laws", _from("laws", "by_laws"))
 ELEMENTARY = Technique("elementary", _from("elementary", "by_elementary"))
 #: For equations.
@@ -197,6 +199,8 @@ def _stages(goal: Goal, known: Universal) -> Iterator[tuple[Question, tuple[Tech
         question = Question(goal._replace(claim=claim), known)
         if not _clears(question):
             return
+    if not question.goal.variables:
+        yield question, (EQUALITY,)
     yield question, SIMPLE
     yield from _of_all_that_is_known(question)
 
@@ -219,6 +223,11 @@ def _of_all_that_is_known(question: Question) -> Iterator[tuple[Question, tuple[
     widened = question.widened() or question
     if widened.clears():
         yield widened, SUMS
+        if _find_inverse_ranges(widened):
+            question = Question(known.goal(question.plain.claim, place), known)
+            widened = question.widened() or question
+            yield question, (*FREE, *SIMPLE)
+            yield widened, SUMS
         from verify.prover.search.linear import find_ranges  # loaded only where they are needed
         from verify.prover.search.witnesses import is_false
 
@@ -226,7 +235,7 @@ def _of_all_that_is_known(question: Question) -> Iterator[tuple[Question, tuple[
             return
         if place not in known.ranged:
             known.ranged.add(place)
-            if find_ranges(widened) | _find_inverse_ranges(widened):
+            if find_ranges(widened):
                 question = Question(known.goal(question.plain.claim, place), known)
                 widened = question.widened() or question
                 yield question, (*FREE, *SIMPLE)
@@ -240,9 +249,9 @@ def _of_all_that_is_known(question: Question) -> Iterator[tuple[Question, tuple[
 
 
 def _find_inverse_ranges(question: Question) -> bool:
-    """The same of what is given of exponentials and logarithms."""
-    sides = (side for given in question.givens() for side in given.claim.key[1:])
-    if not any(side.op in ("exp", "log") for side in sides):
+    """Afterwards facts are known by what is given of exponentials and logarithms; whether new."""
+    parts = parts_of(*(side for given in question.givens() for side in given.claim.key[1:]))
+    if not any(part.op in ("exp", "log") for part in parts):
         return False
     from verify.prover.search.inverse_ranges import find_inverse_ranges  # only where it is needed
 

@@ -263,8 +263,9 @@ class Laws:
 
     def logarithm(self, atom: Term) -> dict[Term, Term]:
         """The sum of multiples of simpler logarithms that it is, if it is one."""
-        if atom.children[0].op == "exp":
-            return {atom: self._of_factor(atom.children[0])}
+        if atom.children[0].op in ("exp", "sqrt"):
+            whole = self._of_factor(atom.children[0])
+            return {} if whole == atom else {atom: whole}
         found = _factors(atom.children[0])
         if found is None:
             return {}

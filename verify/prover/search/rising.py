@@ -142,7 +142,7 @@ def by_same_arguments(question: Question) -> Proof | None:
     for atom in atoms:
         if atom.op not in EQUATED or atom in inner or atom.children[0].op in ("rational", "symbol"):
             continue
-        other = _same(seen, atom)
+        other = _same(question, seen, atom)
         name = None if other is None else _equation(question, atom, other)
         if name is not None and other is not None:
             equations[atom], chosen[atom] = name, other
@@ -154,9 +154,12 @@ def by_same_arguments(question: Question) -> Proof | None:
     )
 
 
-def _same(seen: dict[tuple[str, object, str], Term], atom: Term) -> Term | None:
+def _same(question: Question, seen: dict[tuple[str, object, str], Term], atom: Term) -> Term | None:
     """What was seen before and is equal to this function; or it is one of a number."""
     argument = atom.children[0]
+    number = None if [*names_of(argument)] else question.known.ground.exact(argument)
+    if number is not None:
+        return Term(atom.op, as_term(number), *atom.args[1:])
     try:
         clearing = Clearing((argument,), {})
         above, below = clearing.clear(argument)

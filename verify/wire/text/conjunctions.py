@@ -29,7 +29,7 @@ from verify.language.terms import (
     unequal,
 )
 from verify.wire.text import OTHERS, Form
-from verify.wire.text.formulas import MAX_CASES, Formula
+from verify.wire.text.formulas import BOOL, MAX_CASES, Formula
 from verify.wire.text.points import Points
 
 #: So many branches are looked at, contradictions among them.
@@ -148,6 +148,8 @@ class _Branch:
 
     def _enter(self, formula: Formula, holds: bool) -> None:
         parts, claim = formula.parts, formula.claim
+        if formula.op.startswith(BOOL):  # a constant, which is true in this branch, or false
+            return
         if claim is not None:
             if holds:
                 self.claims[claim] = None

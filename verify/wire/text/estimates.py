@@ -9,17 +9,35 @@ from functools import lru_cache
 from typing import Any
 
 from verify.language.fold import BOUNDED, MissingOperationError, fold, holds
-from verify.language.terms import Claim, Term, names_of, symbol
+from verify.language.terms import Claim, Term, names_of, substitute_claim, symbol
 
 #: The exponential of this is beyond all floats.
 MOST_EXPONENT = 709.0
 #: Two numbers that are as near as this are taken for equal.
 NEAR = 1e-9
+#: Bits of what is enclosed where floats do not suffice.
+BITS = 2048
+
+
+def _float(number: Fraction) -> float:
+    try:
+        return float(number)
+    except OverflowError:
+        return math.inf if number > 0 else -math.inf
+
+
+def _power(x: float, exponent: int) -> float:
+    try:
+        return x**exponent
+    except OverflowError:
+        return -math.inf if x < 0 and exponent % 2 else math.inf
+
+
 _ALGEBRA: Mapping[str, Callable[..., float]] = {
     **{name: getattr(math, name) for name in ("sqrt", "log", "sin", "cos", "atan")},
-    "exp": lambda x: math.exp(x) if x < MOST_EXPONENT else math.inf,
+    "exp": lambda x: math.inf if x >= MOST_EXPONENT else math.exp(x),
     "pi": lambda: math.pi,
-    "rational": float,
+    "rational": _float,
     "cos_pi": lambda x: math.cos(math.pi * x),
     "min": min,
     "max": max,
@@ -28,7 +46,7 @@ _ALGEBRA: Mapping[str, Callable[..., float]] = {
     "mul": lambda x, y: x * y,
     "div": lambda x, y: x / y,
     "neg": lambda x: -x,
-    "pow": lambda x, exponent: x**exponent,
+    "pow": _power,
     "root": lambda x, index: x ** (1 / index) if x >= 0 else math.nan,
 }
 
@@ -38,7 +56,7 @@ def estimate(term: Term, values: Mapping[str, float]) -> float:
     found: list[float] = []
     try:
         if not term.children and term.op == "rational":
-            return float(term.value)
+            return _float(term.value)
         for function, places, rest in _steps(term):
             if function is None:
                 found.append(values.get(rest[0], math.nan))
@@ -83,9 +101,22 @@ def seems(claim: Claim, at: Mapping[str, float], point: Mapping[str, Term]) -> b
     if abs(left - right) > near:
         return claim.relation != "=" and left < right
     sides = exactly(claim, point)
+    if sides is None and math.inf in (abs(left), abs(right)):
+        return _holds_far_out(substitute_claim(claim, point))
     if sides is None:
         return claim.relation != "<" and abs(left - right) <= near
     return holds(claim.relation, *sides)
+
+
+def _holds_far_out(claim: Claim) -> bool:
+    """Whether a claim without names holds, as its enclosures tell."""
+    from verify.prover.ground import Ground  # loaded only where it is used
+    from verify.prover.session import Session
+
+    if claim.lhs is claim.rhs:
+        return claim.relation != "<"
+    has_names = any(names_of(claim.lhs, claim.rhs))
+    return not has_names and Ground(Session()).holds_at(claim, BITS)
 
 
 def exactly(claim: Claim, point: Mapping[str, Term]) -> list[Fraction] | None:

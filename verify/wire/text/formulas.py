@@ -44,7 +44,8 @@ class Formula:
     """A formula: a ``claim``, or an operation of others; what is written alike is one object.
 
     ``and`` of no parts is true, and ``not`` of that is false. The parts of a ``choice`` are
-    conditions, of which just one holds, each with the formula that is meant if it holds.
+    conditions, of which just one holds, each with the formula that is meant if it holds. That of
+    a constant of the sort Bool is this word with its name.
     """
 
     __slots__ = ("claim", "op", "parts")
@@ -149,9 +150,10 @@ def _power(base: Term, exponent: Term) -> Term:
     found = exponent.value if exponent.op == "rational" else Fraction(0)
     if found == Fraction(1, 2):
         return sqrt(base)
-    if found.denominator != 1 or not 0 < abs(found) < 1000:
-        raise ValueError("an exponent has to be a whole number up to 999, and not 0")
-    return base ** int(found) if found > 0 else 1 / base ** int(-found)
+    if found.denominator != 1 or not 0 < abs(found) <= terms.MAX_POWER:
+        raise ValueError(f"an exponent has to be a whole number up to {terms.MAX_POWER}, and not 0")
+    whole = base ** abs(int(found))
+    return whole if found > 0 else 1 / whole
 
 
 def _cosine(angle: Term) -> Term:

@@ -19,8 +19,8 @@ from typing import Any
 from verify.language.record import TYPE_CHECKING, Record
 from verify.language.terms import (
     FUNCTIONS,
-    MAX_EXPONENT,
     MAX_INDEX,
+    MAX_POWER,
     Claim,
     Term,
     absolute,
@@ -32,6 +32,7 @@ from verify.language.terms import (
     log,
     names_of,
     nth_root,
+    operations_in,
     parts_of,
     pi,
     sqrt,
@@ -91,13 +92,13 @@ MAX_TERMS = 1000
 #: To use a function or a vector of the page costs as much as to read so many signs.
 A_CALL = 150
 #: All that is written like a function.
-DOT = "dot"
+DOT, DIFF = "dot", "diff"
 #: What is made of tables.
 OF_TABLES: Mapping[str, tuple[int, Callable[..., Term]]] = {
     "det": (1, determinant),
     "form": (3, form),
 }
-CALLED = (*FUNCTIONS, *MANY, "root", *SUMS, *SUGAR, DOT, *OF_TABLES)
+CALLED = (*FUNCTIONS, *MANY, "root", *SUMS, *SUGAR, DOT, DIFF, *OF_TABLES)
 
 
 class Formula(Record):
@@ -134,6 +135,13 @@ class Formula(Record):
         return tuple(found)
 
 
+class Joined(Record):
+    """Formulas with and between them, or with or; some of them may be joined themselves."""
+
+    word: str
+    parts: tuple[Formula | Joined, ...]
+
+
 def _claim(relation: str, left: Term, right: Term) -> Claim:
     if relation == "!=":
         return unequal(left, right)
@@ -167,6 +175,7 @@ class Names:
         gram: these inner products.
         functions: those that the page defines, by their names.
         spent: what the functions and tables of the page have cost so far.
+        are_variables: for variables and for numbers with names whether they are variables.
     """
 
     def __init__(
@@ -178,10 +187,11 @@ class Names:
         gram: Gram = MappingProxyType({}),
         functions: Mapping[str, PageFunction] = MappingProxyType({}),
         spent: Spent | None = None,
+        are_variables: Mapping[str, bool] = MappingProxyType({}),
     ) -> None:
         self.known, self.hidden, self.short = known, hidden, short
         self.vectors, self.gram, self.functions = vectors, gram, functions
-        self.spent = spent or Spent()
+        self.spent, self.are_variables = spent or Spent(), are_variables
 
     def of_vectors(self) -> Names:
         """The same, and the names of vectors."""
@@ -193,7 +203,7 @@ class Names:
         return self._with(self.known, {**self.short, **values})
 
     def _with(self, known: Mapping[str, str], short: Mapping[str, Value]) -> Names:
-        others = (self.vectors, self.gram, self.functions, self.spent)
+        others = (self.vectors, self.gram, self.functions, self.spent, self.are_variables)
         return Names(known, self.hidden, short, *others)
 
     def term(self, where: object, name: str) -> Value:
@@ -244,8 +254,8 @@ def read_value(where: object, text: str, names: Names) -> Value:
     Raises:
         InputError: naming the place, and what to write instead.
     """
-    (found, *_), word = _read(where, text, names)
-    if found.relations or word:
+    found = _read(where, text, names)
+    if isinstance(found, Joined) or found.relations:
         raise InputError(f"{where}: {shown(text)} is a claim; write a term, such as (1 + x)/2")
     return found.terms[0]
 
@@ -280,7 +290,8 @@ def _entry_text(where: object, entry: object) -> str:
 def read_claims(where: object, text: str, names: Names) -> tuple[Claim, ...]:
     """The claims in a text, of which a chain ``0 <= x <= b`` has several, and ``a and b`` too.
 
-    The claims in ``a or b`` are one, which `any_of` makes of them.
+    The claims in ``a or b`` are one, which `any_of` makes of them; ``a or (b and c)`` is read as
+    ``a or b`` and ``a or c``.
 
     Raises:
         InputError: as above, or where the text has no relation.
@@ -297,12 +308,12 @@ def read_givens(where: object, text: str, names: Names) -> tuple[Claim, ...]:
     return _joined(where, text, names, Formula.bounds)
 
 
-def _read(where: object, text: str, names: Names) -> tuple[list[Formula], str]:
-    """The formulas in a text, and the word between them."""
+def _read(where: object, text: str, names: Names) -> Formula | Joined:
+    """What a whole text says."""
     if _DECIMAL_COMMA.search(text):
         _test_commas(where, text)
     try:
-        return _Reader(where, text, names).formulas()
+        return _Reader(where, text, names).whole()
     except RecursionError as error:
         raise InputError(f"{where}: {shown(text)} nests too deeply; name its parts") from error
     except InputError as error:
@@ -329,25 +340,37 @@ def _test_commas(where: object, text: str) -> None:
 def _joined(
     where: object, text: str, names: Names, claims: Callable[[Formula], tuple[Claim, ...]]
 ) -> tuple[Claim, ...]:
-    formulas, word = _read(where, text, names)
-    if any(not formula.relations for formula in formulas):
+    found = _read(where, text, names)
+    if any(not formula.relations for formula in _formulas(found)):
+        word = found.word if isinstance(found, Joined) else ""
         instead = (
             f"; write a claim on each side of {word}" if word else f"; write for example {text} > 0"
         )
         raise InputError(f"{where}: {shown(text)} claims nothing{instead}")
-    if word != "or":
-        return tuple(claim for formula in formulas for claim in claims(formula))
-    alternatives = [formula.claims() for formula in formulas]
-    if any(len(chain) > 1 for chain in alternatives):
-        raise InputError(
-            f"{where}: {shown(text)}: a chain is no alternative; write one sign on each side of or"
-        )
     try:
-        return (any_of(*(claim for (claim,) in alternatives)),)
+        return tuple(any_of(*clause) for clause in _clauses(found, claims))
     except ValueError as error:
-        raise InputError(
-            f"{where}: {shown(text)}: {error}; write < in each, which says more, or <= in each"
-        ) from error
+        raise InputError(f"{where}: {shown(text)}: {error}") from error
+
+
+def _formulas(found: Formula | Joined) -> list[Formula]:
+    if isinstance(found, Formula):
+        return [found]
+    return [formula for part in found.parts for formula in _formulas(part)]
+
+
+def _clauses(
+    found: Formula | Joined, claims: Callable[[Formula], tuple[Claim, ...]]
+) -> list[tuple[Claim, ...]]:
+    """Claims of which at least one holds, and of others, and so on."""
+    if isinstance(found, Formula):
+        return [(claim,) for claim in claims(found)]
+    if found.word == "and":
+        return [clause for part in found.parts for clause in _clauses(part, claims)]
+    from verify.wire.text.alternatives import one_of_each  # loaded only where it is used
+
+    chains = any(isinstance(part, Formula) and len(part.relations) > 1 for part in found.parts)
+    return one_of_each([_clauses(part, Formula.claims) for part in found.parts], chains=chains)
 
 
 _JOINING = (("name", "and"), ("name", "or"))
@@ -423,23 +446,52 @@ class _Reader:
         kind, word = self.tokens[self.at]
         return "it ends" if kind == "end" else f"{shown(word)} follows"
 
-    def formulas(self) -> tuple[list[Formula], str]:
-        """The whole text: formulas, and the word and, or the word or, between them."""
-        found, words = [self.formula()], []
+    def whole(self) -> Formula | Joined:
+        """The whole text."""
+        found = self.joined()
+        if self.tokens[self.at][0] != "end":
+            raise self.error(self._too_much())
+        return found
+
+    def joined(self) -> Formula | Joined:
+        """Formulas with the word and, or the word or, between them."""
+        found, words = [self._part()], []
         while self.tokens[self.at] in _JOINING:
             words.append(self.tokens[self.at][1])
             self.at += 1
-            found.append(self.formula())
-        if self.tokens[self.at][0] != "end":
-            raise self.error(self._too_much())
+            found.append(self._part())
         if len({*words}) > 1:
-            raise self.error("has both and and or in it; write two claims")
-        return found, words[0] if words else ""
+            raise self.error(
+                "has both and and or in it; write two claims, or parentheses: a or (b and c)"
+            )
+        return Joined(words[0], tuple(found)) if words else found[0]
+
+    def _part(self) -> Formula | Joined:
+        """A formula, or what is joined in parentheses; there a chain is joined, too."""
+        if not self._is_claim_in_parentheses():
+            return self.formula()
+        self.at += 1
+        found = self.joined()
+        self.expect(")")
+        return Joined("and", (found,)) if isinstance(found, Formula) else found
+
+    def _is_claim_in_parentheses(self) -> bool:
+        """Whether a parenthesis opens here, with a relation before it closes."""
+        depth = 0
+        for kind, word in self.tokens[self.at :]:
+            if kind == "sign":
+                depth += (word == "(") - (word == ")")
+            if depth < 1:
+                return False
+            if kind == "sign" and word in RELATIONS:
+                return True
+        return False
 
     def formula(self) -> Formula:
         """What stands up to the end, or to the next and or or."""
+        start = self.at
         terms: list[Any] = [self.sum()]
-        relations, begin, moduli = [], 0, []
+        relations, begin, moduli = [], start, []
         moduli.append(self.moduli.get((begin, self.at)))
         while relation := self.take(*RELATIONS):
             relations.append(relation)
@@ -614,10 +666,10 @@ class _Reader:
         if exponent.value == 0 and self.indices:
             return as_term(1) if has_value(base) else 1 + times_zero(base)
         above, below = abs(exponent.value.numerator), exponent.value.denominator
-        if below > MAX_INDEX or not 0 < above <= MAX_EXPONENT:
+        if below > MAX_INDEX or not 0 < above <= MAX_POWER:
             raise self.error(
                 f"the exponent {exponent.value} is not usable; write m or m/n, m from 1 to "
-                f"{MAX_EXPONENT} and n to {MAX_INDEX}, or exp({exponent.value}*log(x))"
+                f"{MAX_POWER} and n to {MAX_INDEX}, or exp({exponent.value}*log(x))"
             )
         root = base if below == 1 else sqrt(base) if below == 2 else nth_root(base, below)
         is_power = above > 1 or (exponent.value == 1 and not self.indices)
@@ -721,6 +773,8 @@ class _Reader:
             return self._dot()
         self.at -= 1
         values = self._arguments()
+        if word == DIFF:
+            return self._derived([self.number(value) for value in values])
         if word in MANY and len(values) == 1 and isinstance(values[0], Table):
             values = [entry for row in values[0].rows for entry in row]
         arguments = [self.number(value) for value in values]
@@ -730,6 +784,17 @@ class _Reader:
             wanted = "at least two terms" if word in MANY else "one term"
             raise self.error(f"{word} is of {wanted}, and {len(arguments)} stand there")
         return SUGAR[word](*arguments) if word in SUGAR else Term(word, *arguments)
+
+    def _derived(self, arguments: Sequence[Term]) -> Term:
+        """The derivative of a term by a variable, where both have a value."""
+        from verify.wire.text.slopes import slope  # loaded only where it is used
+
+        try:
+            found = slope(arguments, self.names.are_variables)
+        except ValueError as error:
+            raise self.error(f"{error}; write diff(x^2, x)") from error
+        self._spend(operations_in(found))
+        return found
 
     def _dot(self) -> Term:
         """The rest of ``dot(x, z)``."""

@@ -103,7 +103,7 @@ FUNCTIONS: Mapping[str, str] = {
         ("integral", "integrate", "lim", "limit", "limsup", "liminf", "sup"),
         "there are no limits and no integrals; name its value, with the bounds that are known",
     ),
-    **dict.fromkeys(("diff", "derivative", "grad"), "write the derivative out"),
+    **dict.fromkeys(("derivative", "deriv", "grad"), "write diff(x^2, x)"),
     **dict.fromkeys(
         ("Gamma", "gamma", "lgamma", "zeta", "erf", "erfc", "besselj", "Li", "li"),
         "name the value that you need, with the bounds that are known",

@@ -625,7 +625,7 @@ class Reader:
             name = self._new([*place, written], written, home)
             letters = self._letters([*place, written], _lettered(item), written)
             found[written] = Variable(name, *letters)
-            self.scope.add(written, name, home)
+            self.scope.add(written, name, home, is_variable=True)
         return found
 
     def _are_different(self, keys: Sequence[str], names: Sequence[str]) -> None:

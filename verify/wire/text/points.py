@@ -24,6 +24,8 @@ WORK, WORK_OF_FILE = 10_000_000, 15_000_000
 UNITS, PROGRAMME = 5, 300_000
 #: To find where the sides of a claim are equal costs as much as so many looks at its parts.
 SAMPLES = 40
+#: Floats beyond this are so far apart that one next to a bound may be on its other side.
+FAR = 2.0**50
 _SIMPLE = tuple(map(Fraction, ("1", "0", "1/2", "2", "-1", "-1/2", "1/10", "3", "10", "-2", "100")))
 
 
@@ -152,22 +154,41 @@ def _bounded(
     around: Collection[str],
 ) -> Iterator[Term]:
     """Between the bounds of a variable, then the bounds themselves."""
-    lows, highs = _bounds(name, claims, found, at)
-    low = max(lows, key=lambda pair: pair[0], default=None)
-    high = min(highs, key=lambda pair: pair[0], default=None)
+    low, high = _tightest(*_bounds(name, claims, found, at))
     ends = [end[1] for end in (low, high) if end]
-    moves = not {*around}.isdisjoint(names_of(*ends))
-    if low and high and low[0] < high[0]:
+    are_far = any(end and abs(end[0]) > FAR for end in (low, high))
+    moves = are_far or not {*around}.isdisjoint(names_of(*ends))
+    if low and high and (low[0] < high[0] or are_far):
         middle = (low[1] + high[1]) / 2
         yield middle if moves else as_term(simplest(low[0], high[0]))
     elif low:
-        yield low[1] + 1 if moves else as_term(math.floor(low[0]) + 1)
+        yield _beyond(low, 1) if moves else as_term(math.floor(low[0]) + 1)
     elif high:
-        yield high[1] - 1 if moves else as_term(math.ceil(high[0]) - 1)
+        yield _beyond(high, -1) if moves else as_term(math.ceil(high[0]) - 1)
     yield from ends
 
 
 Bound = tuple[float, Term]
+
+
+def _beyond(bound: Bound, step: int) -> Term:
+    """A term above a bound, or below it; its distance is one that can be seen."""
+    value, term = bound
+    if abs(value) <= FAR:
+        return term + 1 if step > 0 else term - 1
+    return 2 * term if value * step > 0 else term / 2
+
+
+def _tightest(lows: Sequence[Bound], highs: Sequence[Bound]) -> tuple[Bound | None, Bound | None]:
+    """The greatest lower and the least upper bound, unless it is beyond floats and says little."""
+    low = max(lows, key=lambda pair: pair[0], default=None)
+    high = min(highs, key=lambda pair: pair[0], default=None)
+    if low and high and low[0] == high[0]:
+        return low, high
+    return (
+        None if low and low[0] == -math.inf else low,
+        None if high and high[0] == math.inf else high,
+    )
 
 
 def _bounds(
@@ -185,7 +206,7 @@ def _bounds(
             if side.op != "symbol" or side.name != name:
                 continue
             value = estimate(other, others)
-            if math.isfinite(value):
+            if not math.isnan(value):
                 for one in bounds if claim.relation != "=" else (lows, highs):
                     one.append((value, substitute(other, found)))
     return lows, highs

@@ -36,6 +36,8 @@ class Scope:
 
     def __init__(self) -> None:
         self.homes: dict[str, str | None] = {}
+        #: The variables (true), and the constants in which there are none.
+        self.are_variables: dict[str, bool] = {}
         self.parents: dict[str, str | None] = {}
         self.written: dict[str | None, dict[str, str]] = {None: {}}
         self.elsewhere: dict[str, str | None] = {}
@@ -46,9 +48,11 @@ class Scope:
         self.spent = Spent()
         self._inside: dict[str | None, Names] = {}
 
-    def add(self, written: str, name: str, home: str | None) -> None:
+    def add(self, written: str, name: str, home: str | None, *, is_variable: bool = False) -> None:
         """A name that may be written in a context, and inside of it."""
         self._inside.clear()
+        if is_variable or home is None:
+            self.are_variables[name] = is_variable
         self.homes[name] = home
         self.written[home][written] = name
         self.elsewhere[written] = home
@@ -95,7 +99,8 @@ class Scope:
         hidden = _Elsewhere(self.elsewhere, known)
         place = next((home for home in self.chain(context) if home in self.grams), None)
         vectors, gram = self.vectors.get(place, {}), self.grams.get(place, {})
-        return Names(known, hidden, short, vectors, gram, functions, self.spent)
+        others = (vectors, gram, functions, self.spent, self.are_variables)
+        return Names(known, hidden, short, *others)
 
     def span(self, home: str, gram: Gram, vectors: Mapping[str, str]) -> None:
         """Vectors of a context, some by their inner products, others as combinations of these."""
@@ -130,7 +135,14 @@ class Scope:
         known = {name: name for name in self.homes} | known
         one = {key: name for key, name in known.items() if key not in twice}
         short = {key: term for key, term in self.short[None].items() if key not in twice}
-        return Names(one, twice, short, functions=self.functions[None], spent=self.spent)
+        return Names(
+            one,
+            twice,
+            short,
+            functions=self.functions[None],
+            spent=self.spent,
+            are_variables=self.are_variables,
+        )
 
     def home(self, names: Sequence[str]) -> str | None:
         """The innermost context of names.

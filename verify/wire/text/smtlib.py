@@ -10,7 +10,7 @@ printed, and change no answer.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import chain
 
 from verify.language.record import Record
@@ -114,6 +114,7 @@ class _File:
         commands: Mapping[str, Callable[[Tree], None]] = {
             "assert": self._assert,
             "check-sat": self._ask,
+            "check-sat-assuming": self._ask_assuming,
             "push": self._push,
             "pop": self._pop,
             "reset": self._reset,
@@ -170,6 +171,9 @@ class _File:
                 )
             case _:
                 raise self._no(tree, "(declare-const x Real)")
+        if _is(sort, BOOL):
+            self._new(name, Formula(f"{BOOL} {name}"))
+            return
         if not _is(sort, REAL):
             said = sort if isinstance(sort, Word) else "another"
             raise self.source.error(name, f"{shown(name)} is of the sort {said}; declare it Real")
@@ -236,8 +240,16 @@ class _File:
             case _:
                 raise self._no(tree, "(check-sat)")
 
-    def _keep(self, line: int) -> None:
-        asserted = tuple(chain.from_iterable(level.asserted for level in self.levels))
+    def _ask_assuming(self, tree: Tree) -> None:
+        match tree:
+            case [Word() as head, [*literals]]:
+                found = [self.reader.formula(one, self.reader.globals) for one in literals]
+                self._keep(head.line, found)
+            case _:
+                raise self._no(tree, "(check-sat-assuming (p (not q)))")
+
+    def _keep(self, line: int, assumed: Sequence[Formula] = ()) -> None:
+        asserted = (*chain.from_iterable(level.asserted for level in self.levels), *assumed)
         self.questions.append(_Question(line, asserted))
         if len(self.questions) > MAX_ROWS:
             raise self.source.error(line, f"it asks more than {MAX_ROWS} questions; split the file")

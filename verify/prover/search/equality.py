@@ -1,4 +1,4 @@
-"""One number is at most another where enclosures do not tell, as pi/4 and arctan 1: both are equal."""
+"""One number is at most another where enclosures do not tell, as pi/4 and arctan 1: they are equal."""
 
 from __future__ import annotations
 

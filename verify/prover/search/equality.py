@@ -1,4 +1,4 @@
-"""One number is at most another where enclosures do not tell, as pi/4 and arctan 1: they are equal."""
+"""One number is at most another where enclosures do not tell, as pi/4 and arctan 1: by equality."""
 
 from __future__ import annotations
 

@@ -46,16 +46,12 @@ from verify.wire.text.matrices import (
     Spent,
     Table,
     Value,
-    added,
-    determinant,
     entries_of,
-    form,
     has_value,
     negative,
     over,
     size_of,
     table_of,
-    times,
     times_zero,
 )
 
@@ -93,12 +89,27 @@ MAX_TERMS = 1000
 A_CALL = 150
 #: All that is written like a function.
 DOT, DIFF = "dot", "diff"
-#: What is made of tables.
-OF_TABLES: Mapping[str, tuple[int, Callable[..., Term]]] = {
-    "det": (1, determinant),
-    "form": (3, form),
-}
+#: What is made of tables, of how many.
+OF_TABLES: Mapping[str, int] = {"det": 1, "form": 3}
 CALLED = (*FUNCTIONS, *MANY, "root", *SUMS, *SUGAR, DOT, DIFF, *OF_TABLES)
+
+
+def added(x: Value, y: Value, sign: str) -> Value:
+    """The sum or the difference of two terms, or of two tables."""
+    if isinstance(x, Term) and isinstance(y, Term):
+        return x + y if sign == "+" else x - y
+    from verify.wire.text import linear_algebra  # loaded only where there are tables
+
+    return linear_algebra.added(x, y, sign)
+
+
+def times(x: Value, y: Value) -> Value:
+    """The product of two terms, two tables, or a term and a table."""
+    if isinstance(x, Term) and isinstance(y, Term):
+        return x * y
+    from verify.wire.text import linear_algebra  # loaded only where there are tables
+
+    return linear_algebra.times(x, y)
 
 
 class Formula(Record):
@@ -759,10 +770,12 @@ class _Reader:
 
     def _function(self, word: str) -> Term:
         if word in OF_TABLES:
-            count, made = OF_TABLES[word]
-            values = self._arguments()
+            from verify.wire.text import linear_algebra  # loaded only where it is used
+
+            count, values = OF_TABLES[word], self._arguments()
             if len(values) != count:
                 raise self.error(f"{word} is of {count}, and {len(values)} stand there")
+            made = linear_algebra.determinant if word == "det" else linear_algebra.form
             return self.number(self.with_tables(made, *values))
         self.expect("(")
         if word not in CALLED:

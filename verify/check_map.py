@@ -740,16 +740,15 @@ def parts(law: Law, z: Sight) -> bool:
     The numbers of that theorem are chosen: v as half of the least speed, the others nearly as well
     as they can be.
 
-    Until s and c meet, o meets them in turn. Say one of them, at x with a velocity W, approaches
-    at a speed y when it becomes the next one, and hits at a normal speed h. In free flight
-    (x·W)² - |W|²|x|² stays the same, so |x|²(|W|² - y²) = |W|² - h² <= |W|². As y <= -eta_c < v
-    <= |W|, start-reach gives |x| <= Γ, and h <= |x| y <= Γ y. The hit changes the velocity of o by
-    (1+r)/2 h; the other one had x·W > 0 after its own hit (s at the start has), which grows in
-    free flight, so now
-    it approaches at (1+r)/2 h <= Λ y at most. So the n-th h is at most Γ Λⁿ⁻¹ (-eta_c), and their
-    sum is at most shift = Γ (-eta_c)/(1 - Λ). It bounds what |W| loses: v + shift <= |W| at the
-    start is enough. The velocity of s seen from c changes by less: the two never meet if in free
-    flight their distance is above 1 + t shift at all times t.
+    Until s and c meet, o meets them in turn. Say one of them, at x with a velocity W, approaches at
+    a speed y when it becomes the next one, and hits at a normal speed h. In free flight (x·W)² -
+    |W|²|x|² stays the same, so |x|²(|W|² - y²) = |W|² - h² <= |W|². As y <= -eta_c < v <= |W|,
+    start-reach gives |x| <= Γ, and h <= |x| y <= Γ y. The hit changes the velocity of o by (1+r)/2
+    h; the other one had x·W > 0 after its own hit (s at the start has), which grows in free flight,
+    so now it approaches at (1+r)/2 h <= Λ y at most. So the n-th h is at most Γ Λⁿ⁻¹ (-eta_c), and
+    their sum is at most shift = Γ (-eta_c)/(1 - Λ). It bounds what |W| loses: v + shift <= |W| at
+    the start is enough. The velocity of s seen from c changes by less: the two never meet if in
+    free flight their distance is above 1 + t shift at all times t.
     """
     if min(z.lam[0], z.rho[0], z.eps[0], z.A[0], z.B[0]) <= 0:
         return False

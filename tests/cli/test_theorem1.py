@@ -128,6 +128,14 @@ def test_unusable_boxes(words: tuple[str, ...], capsys: pytest.CaptureFixture[st
     check_refused(run(capsys, *words))
 
 
+def test_an_angle_or_a_table_for_a_box_has_another_option(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """To leave them out would be about another angle, or without a table."""
+    check_refused(run(capsys, "--r", "0.02..0.03", "--theta0", "5pi/6"), "write --neg-cos")
+    check_refused(run(capsys, "--r", "0.02..0.03", "--csv", "x.csv"), "add --steps N")
+
+
 @pytest.mark.parametrize(
     "words",
     [

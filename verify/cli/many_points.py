@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 #: So many points of a grid are given to a process at a time.
 TOGETHER = 50
+#: What stands for an angle where there are many points.
+OF_MANY = "is for one point; write --neg-cos, the number -cos of it"
 
 
 def run_many(options: Options) -> int:
@@ -78,7 +80,9 @@ def _everywhere(options: Options) -> int:
 
 def _box(options: Options) -> int:
     """Prove Theorem 1 at all points of a box; print, write, return the exit code."""
-    others = (*POINT_OPTIONS, "constants", "csv", "jobs")
+    others = (*POINT_OPTIONS, "constants", "jobs")
+    leave_out(options, ("theta0",), OF_MANY)
+    leave_out(options, ("csv",), "a table is of points; add --steps N")
     leave_out(options, others, "leave it out with A..B", DEFAULTS)
     r = interval("--r", options.r, restitution, points=True)
     c = interval("--neg-cos", chosen(options.neg_cos, "1"), neg_cos, points=True)
@@ -122,6 +126,7 @@ def _scan(options: Options) -> int:
     if ".." not in options.r:
         raise InputError("--steps: needs an interval of r; write --r 0.02..0.04 --steps 9")
     others = (*POINT_OPTIONS, "out", "constants", "verbose", "rows")
+    leave_out(options, ("theta0",), OF_MANY)
     leave_out(options, others, "leave it out with --steps", DEFAULTS)
     ends = interval("--r", options.r, restitution)
     steps = integer("--steps", options.steps, 2, 10**7)

@@ -65,7 +65,7 @@ from verify.spheres.scene.scene_files import MAX_DIMENSION
 from verify.views.classification import THEOREMS
 from verify.views.plots.map_colours import STEPS
 from verify.wire.text.formulas import MAX_CASES
-from verify.wire.text.matrices import MAX_DETERMINANT
+from verify.wire.text.linear_algebra import MAX_DETERMINANT
 from verify.wire.text.roots import DIGITS as ROOT_DIGITS
 
 # --- everywhere -----------------------------------------------------------------------------------

@@ -41,18 +41,14 @@ def at_masses(masses: tuple[Fraction, ...], r: Fraction) -> AtMasses:
 
     b² is (1+r)²M, so that b < 2√r just if r > (1-√(1-M))/(1+√(1-M)) = M/(1+√(1-M))².
     """
-    from verify.prover import balls  # flint is loaded only where it is used
     from verify.spheres.scene.middle import Middle, excluded, rests
 
     found = []
     for o, i, j in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
         middle = Middle(o, (i, j), masses[o], (masses[i], masses[j]), (r, r))
-        share = middle.square / (1 + r) ** 2
-        with balls.precision(BITS):
-            rest = 1 + balls.root(balls.from_fraction(1 - share))
-            largest = balls.ends(balls.from_fraction(share) / (rest * rest))
+        endless = _count(middle.square / (1 + r) ** 2, None)
         never, at_rest = (shown(middle) is not None for shown in (excluded, rests))
-        found.append(AboutMiddle(o, never, at_rest, largest))
+        found.append(AboutMiddle(o, never, at_rest, endless.least_r))
     return AtMasses(r, masses, tuple(found))
 
 

@@ -217,6 +217,21 @@ def test_two_spheres_stay_apart(
             assert 1 + g + 2 * p * t + m * t**2 > (1 + shift * t) ** 2
 
 
+def test_all_impacts_together_are_what_two_spheres_are_kept_apart_by() -> None:
+    """Beside the row of `apart soon`: the sum of all impacts counts where they nearly meet."""
+    v, u, half = F(1, 40), F(9, 10), F(103, 200)
+    least = v / (1 + v**2) / (1 - half)  # for G = 1, and an angle that is no better
+    near = F(0)
+    for bit in range(1, 30):
+        near += F(4, 2**bit) if parts(v=v, u=u, a=near + F(4, 2**bit)) else 0
+    found = state(v=v, u=u, a=near)
+    g, p, m = (F(x[0], ONE) for x in check_map.far(check_map.INTERVALS, found))
+    # With this a the row holds, and a larger one fails: the shift is what is left.
+    assert p < 0 < g
+    assert (m - least**2) * g >= (least - p) ** 2
+    assert (m - least**2) * g <= (least - p + least / 20) ** 2
+
+
 def test_two_spheres_of_a_box_stay_apart_in_all_its_scenes() -> None:
     good = Three(*(check_map.around(F(x)) for x in (3, 1, 1)))
     assert check_map._stay_apart(good, ONE // 2)
